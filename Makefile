@@ -10,8 +10,7 @@ TORCH := true
 ifeq ($(shell uname -s),Linux)
 TORCH := $(HASHED) constraints-cuda.txt
 ifeq ($(NVIDIA),)
-TORCH := $(INSTALL) --retries 1 --index-url https://download.pytorch.org/whl/cpu $(firstword $(shell grep ^torch== constraints.txt)) \
-         2> /dev/null || $(TORCH)
+TORCH := $(HASHED) constraints-cpu.txt --retries 1 --index-url https://download.pytorch.org/whl/cpu 2> /dev/null || $(TORCH)
 endif
 endif
 
@@ -21,7 +20,7 @@ OPENGL := libegl1 libgl1-mesa-dri
 
 env: $(VENV)/.complete
 
-$(VENV)/.complete: pyproject.toml constraints.txt constraints-cuda.txt
+$(VENV)/.complete: pyproject.toml constraints.txt constraints-cpu.txt constraints-cuda.txt
 	@echo "Installing into $(VENV): a few minutes, once. As root on Debian or Ubuntu, it also installs"
 	@echo "$(OPENGL) into the system by apt-get, if pyvista finds no OpenGL."
 	$(PYTHON) -m venv $(VENV)

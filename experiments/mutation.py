@@ -27,7 +27,9 @@ GROUPS = {
               "runtime compiled"),
     "losses": ("training/loss.py stylization/losses.py", "training stylization"),
     "measures": ("evaluation/metrics/*.py evaluation/findings.py", "metrics report findings"),
-    "shots": ("shots/*.py extra/shots/*.py", "shots director"),
+    "shots": ("extra/shots/*.py", "shots director"),
+    "readers": ("io/bvh.py io/bvh_text.py extra/formats/*.py",
+                "bvh bvh_roundtrip readers inspection interpretation"),
 }
 NOT_COPIED = shutil.ignore_patterns(".git", ".venv", "out", "build", "__pycache__", ".*_cache")
 OPPOSITE = {

@@ -78,9 +78,11 @@ def rows(stylizer: Stylizer, judges: Judges, motions: Motions) -> Iterator[tuple
     shift = stylizer.shift(sources.x, sources.domain, target)
     made = {"unchanged source": [sources.x], "mean-pose shift": [shift]}
     for by in ("noise", "reference"):
-        network = evaluation.results(stylizer, some, motions, by, 0)
+        raw, network = (evaluation.results(stylizer, some, motions, by, 0, smooth)
+                        for smooth in (False, True))
         made[f"blend, {by}"] = [_unit((x + shift) / 2) for x in network]
         made[f"the network, {by}"] = network
+        made[f"the network, not smoothed, {by}"] = raw
     for method, motion in made.items():
         twice = sources.content.repeat(len(motion)), target.repeat(len(motion))
         yield method, judges.judge(torch.cat(motion), *twice)

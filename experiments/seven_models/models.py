@@ -126,8 +126,9 @@ def trained(data: Features, config: Config, folder: Path, progress: bool = False
         If the stored run or checkpoint was trained with other settings.
     """
     path = folder / "runs" / f"{config.model}-{config.seed}.safetensors"
+    times = path.with_suffix(".json")
     if path.exists():
-        run = training.load(path)
+        run = dataclasses.replace(training.load(path), history=read_json(times))
         if why := model_files.difference(config.fixed(), run.config.fixed()):
             raise ValueError(f"{path}: was trained with other settings ({why}); choose another "
                              f"--out")
@@ -135,6 +136,7 @@ def trained(data: Features, config: Config, folder: Path, progress: bool = False
     path.parent.mkdir(parents=True, exist_ok=True)
     checkpoint = path.with_suffix(".checkpoint")
     run = training.fit(data, config, checkpoint, progress=progress)
+    write_json(times, run.history)  # with its times, which the model's file lacks
     run.save(path)
     checkpoint.unlink(missing_ok=True)
     return run
@@ -408,7 +410,7 @@ def machine(device: str) -> dict[str, str | int]:
             "torch": torch.__version__}
 
 
-def read_json(path: Path) -> dict:
+def read_json(path: Path) -> dict | list:
     """Read a file of `write_json`; ValueError if it is damaged or missing."""
     try:
         return json.loads(path.read_text(encoding="utf-8"))
@@ -419,7 +421,7 @@ def read_json(path: Path) -> dict:
         raise ValueError(f"{path}: cannot be read ({error})") from error
 
 
-def write_json(path: Path, value: dict) -> None:
+def write_json(path: Path, value: dict | list) -> None:
     """Write a file, whole or not at all."""
     path.parent.mkdir(parents=True, exist_ok=True)
     with atomic_write(path) as file:

@@ -11,6 +11,7 @@ from toolkit.features.splits import generator
 from toolkit.motion import Clip, Skeleton, contacts, rotations as R
 from toolkit.stylization.data import FPS, Motions, to_clip
 from toolkit.stylization.networks import Stylizer
+from toolkit.stylization.restyling import calm
 
 LOOSE = {"height": 0.03, "speed": 1.5}  # metres, m/s: limits of a contact before feet are held
 STEPPING = 1.0  # landings per second, least for walking or running
@@ -46,9 +47,12 @@ def evaluate(model: Stylizer, sources: Motions, references: Motions, judges: Jud
 
 
 @torch.no_grad()
-def results(model: Stylizer, sources: Motions, references: Motions, by: str,
-            seed: int) -> list[Tensor]:
-    """Every source in every other domain, twice: two tensors ``[P, 7, T, N]``, as `pairs`."""
+def results(model: Stylizer, sources: Motions, references: Motions, by: str, seed: int,
+            smooth: bool = False) -> list[Tensor]:
+    """Every source in every other domain, twice: two tensors ``[P, 7, T, N]``, as `pairs`.
+
+    With `smooth` their change is smoothed as in `stylize`.
+    """
     if by not in WAYS:
         raise ValueError(f"style codes come from by= one of {', '.join(WAYS)}, got {by!r}")
     rows, target = pairs(sources)
@@ -56,12 +60,12 @@ def results(model: Stylizer, sources: Motions, references: Motions, by: str,
     if by == "noise":
         draw = generator(seed, len(rows))
         noise = torch.randn(2, len(rows), model.sizes.latent, generator=draw)
-        return [_in_batches(model.translate, x, model.code_from(z, target)) for z in noise]
-    made = []
-    for chosen in drawn(sources, references, by, seed):
-        codes = _in_batches(model.code_of, references.x[chosen], target)
-        made.append(_in_batches(model.translate, x, codes))
-    return made
+        codes = [model.code_from(z, target) for z in noise]
+    else:
+        codes = [_in_batches(model.code_of, references.x[chosen], target)
+                 for chosen in drawn(sources, references, by, seed)]
+    made = [_in_batches(model.translate, x, code) for code in codes]
+    return [calm(motion, x) for motion in made] if smooth else made
 
 
 def drawn(sources: Motions, references: Motions, by: str, seed: int) -> list[Tensor]:

@@ -62,8 +62,9 @@ class StyleBlender(CellWidget, widgets.HBox):
         self._bank, self._make_clip = bank, make_clip
         first = dict.fromkeys(ordered(bank)[:3], 1.0) if weights is None else weights
         names, shares = corners(bank, first, ordered(bank))
+        options = [(label, style) for style, label in bank.labels().items()]
         self._menus = [
-            widgets.Dropdown(options=bank.names, value=name, layout={"width": "220px"})
+            widgets.Dropdown(options=options, value=name, layout={"width": "220px"})
             for name in names
         ]
         self.triangle = StyleTriangle(names=names, weights=shares)

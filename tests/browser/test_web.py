@@ -1,6 +1,9 @@
 """A character whose network runs in the page, opened from a file: under keys, touch, gamepad."""
 
+import dataclasses
+
 import pytest
+import torch
 
 import toolkit as tk
 
@@ -110,6 +113,19 @@ def test_a_thumb_on_the_stick_walks_on_a_phone(live):
     assert side["y"] >= view["y"] + view["height"]
     assert side["y"] + side["height"] <= SIZES["phone"]["height"]
     assert page.evaluate("() => document.documentElement.scrollWidth") == SIZES["phone"]["width"]
+
+
+def test_menus_mark_a_style_that_shakes(visit, pages):
+    model, bank = tk.pretrained()
+    bank = bank.select(["Neutral", "Old", "Zombie"])
+    bank = dataclasses.replace(bank, shakes=torch.tensor([False, True, False]))
+    for write, menu in ((tk.view.web, ".tkc-menus select"),
+                        (tk.view.director.web, ".tkd-mix select")):
+        page = visit(write(model, bank, pages / "marked.html", half=True))
+        if write is not tk.view.web:
+            page.get_by_role("button", name="Style key 1").click()
+        shown = page.locator(menu).first.locator("option").all_text_contents()
+        assert sorted(shown) == ["Neutral", "Old (shakes)", "Zombie"]
 
 
 def test_a_crowd_looks_the_same_drawn_by_either_way(visit, pages):

@@ -154,6 +154,21 @@ def test_a_recording_becomes_a_clip(control):
     control.recording = True
     control.advance(3)
     assert len(control.clip) == 3
+    control.close()
+    with pytest.raises(ValueError, match="nothing recorded"):  # in Out, it takes no memory
+        _ = control.clip
+
+
+def test_a_long_recording_keeps_its_end(trained, monkeypatch):
+    monkeypatch.setattr("toolkit.view.widgets.controller.KEPT", 0.1)
+    made = Controller(*trained)
+    made.recording = True
+    made.steer(ahead=1)
+    made.advance(20)
+    assert len(made.clip) == 6
+    torch.testing.assert_close(made.clip.root_positions[-1, [0, 2]], made.state.root[0, :2],
+                               atol=0.1, rtol=0)
+    made.close()
 
 
 def test_bad_wishes_are_refused(control, trained):

@@ -28,6 +28,13 @@ def test_widths_are_the_papers(walk_clip):
     assert style_clips(walk_clip).shape[1:] == (240, 300)
 
 
+@pytest.mark.parametrize(("phase", "columns", "made"), [
+    ("local", 8, 342), ("global", 1, 327), ("none", 0, 326)])
+def test_widths_of_each_phase(walk_clip, phase, columns, made):
+    layout = Layout(walk_clip.skeleton, phase)
+    assert (layout.n_phases, layout.n_outputs) == (columns, made)
+
+
 def test_rows_against_a_slow_loop(walk_clip):
     rows = frames(walk_clip)
     layout, roots = Layout(walk_clip.skeleton), root_frames(walk_clip)

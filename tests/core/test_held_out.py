@@ -89,6 +89,25 @@ def test_fitted_vectors_have_less_error_and_the_model_stays_the_same():
     assert not torch.equal(part["style0"], run.bank["style0"])
 
 
+@pytest.mark.parametrize("names", [("style0",), ("style0", "style1")])
+def test_a_fit_begins_with_steps_of_six_hundredths_of_the_deviation_between_styles(names):
+    data, run = waves(), training.fit(waves(), dataclasses.replace(QUICK, steps=2))
+    kinds = ("inputs", "phases", "outputs", "clips", "takes")
+    parts = {kind: {name: getattr(data, kind)[name] for name in names} for kind in kinds}
+    bank = run.bank.select(names)
+    one = refit(run.model, bank, dataclasses.replace(data, **parts), steps=1)
+    apart = float(bank.vectors.std(0).mean()) if len(names) > 1 else 1.0
+    gone = (one.vectors - bank.vectors).abs().median()  # Adam's first step is as long as its rate
+    assert float(gone) == pytest.approx(0.06 * apart, rel=1e-2)
+
+
+def test_a_bank_of_few_clips_takes_the_first_and_the_last():
+    data, run = waves(), training.fit(waves(), dataclasses.replace(QUICK, steps=2))
+    clips = data.clips["style1"]
+    made = training.loss.make_bank(run.model, data, 2)["style1"]
+    torch.testing.assert_close(made, run.model.style_vector(clips[[0, len(clips) - 1]], 1))
+
+
 def test_a_training_ends_with_fitted_vectors_unless_they_are_means_of_clips():
     assert training.Config().refit == training.Config.quick().refit == STEPS > 0
     stored = json.loads(json.dumps(dataclasses.asdict(QUICK)))

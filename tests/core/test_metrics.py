@@ -143,6 +143,11 @@ def slow_geodesic(clip, real):
     return sum(math.acos(max(-1.0, min(1.0, c))) for c in cosines) / len(cosines)
 
 
+def test_an_unknown_measure_is_named_beside_the_known_ones():
+    with pytest.raises(KeyError, match="unknown measure 'skates'; known: skate"):
+        MEASURES["skates"]
+
+
 @pytest.mark.parametrize(
     ("name", "slow"),
     [

@@ -28,6 +28,12 @@ class Replay:
         return self.rows.outputs[self.frame - 1][None]
 
 
+def test_a_command_of_arrays_is_its_own_key():
+    one, other = (runtime.Command(torch.zeros(3, 2)) for _ in range(2))
+    assert one == one
+    assert {one: 1, other: 2} == {other: 2, one: 1}
+
+
 @pytest.fixture
 def replayed(walk_clip):
     """A perfect model and the state that the clip is in at the first usable frame."""

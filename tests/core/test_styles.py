@@ -89,6 +89,15 @@ def test_banks_merge():
         BANK.merge(StyleBank(("Star",), torch.ones(1, 4)))
 
 
+def test_styles_that_shake_stay_marked(tmp_path):
+    bank = StyleBank(("a", "b"), torch.eye(2), shakes=torch.tensor([False, True]))
+    bank.select(["b", "a"]).save(tmp_path / "bank.safetensors")
+    again = StyleBank(("c",), torch.ones(1, 2)).merge(StyleBank.load(tmp_path / "bank.safetensors"))
+    assert again.labels() == {"c": "c", "b": "b (shakes)", "a": "a"}
+    with pytest.raises(ValueError, match=r"2 styles need marks \[2\], got \[1\]"):
+        StyleBank(("a", "b"), torch.eye(2), shakes=torch.tensor([True]))
+
+
 def test_nearest_counts_distances():
     bank = StyleBank(
         ("a", "b", "c", "d"), torch.tensor([[0.0, 0.0], [3.0, 4.0], [1.0, 0.0], [0.0, 2.0]])

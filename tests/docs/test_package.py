@@ -123,10 +123,11 @@ def test_conda_environment_equals_the_dev_installation(project):
 
 def test_every_dependency_is_pinned_by_version_and_hashes(project):
     text = "".join((REPOSITORY / f"constraints{of}.txt").read_text(encoding="utf-8")
-                   for of in ("", "-cuda"))
+                   for of in ("", "-cpu", "-cuda"))
     hashes = r"(?: \\\n    --hash=sha256:[0-9a-f]{64})+"
     assert not re.sub(rf"^[\w.-]+==\S+(?: ; [^\\\n]+)?{hashes}\n", "", text, flags=re.MULTILINE)
-    pins = dict(re.findall(r"^([\w.-]+)==(\S+)", text, flags=re.MULTILINE))
+    pins = dict(re.findall(r"^([\w.-]+)==([^\s+]+)", text, flags=re.MULTILINE))
+    assert text.count(f"\ntorch=={pins['torch']}") == 2  # with CUDA and without: one version
     pinned = {re.sub(r"[-_.]+", "-", name.lower()): number for name, number in pins.items()}
     for name, bound in requirements(project, "dev").items():
         wanted, got = (tuple(int(n) for n in number.split(".")[:2])

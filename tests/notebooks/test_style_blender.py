@@ -1,4 +1,5 @@
 import asyncio
+import dataclasses
 import gc
 
 import pytest
@@ -49,6 +50,8 @@ def test_blender_makes_the_motion_of_its_weights(clip):
             blender.weights = wrong
         with pytest.raises(ValueError, match=message):
             StyleBlender(bank("A", "B", "C", "Neutral"), make, weights=wrong)
+    marked = dataclasses.replace(bank("A", "B", "C"), shakes=torch.tensor([False, True, False]))
+    assert StyleBlender(marked, make)._menus[0].options[1] == ("B (shakes)", "B")
     gc.collect()  # a refused blender is closed without an error
     blender.close()
 

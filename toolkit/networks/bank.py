@@ -28,6 +28,7 @@ class StyleBank(Mapping[str, Tensor]):
     names: tuple[str, ...]  # S unique names
     vectors: Tensor  # [S, D] style vectors
     speeds: Tensor | None = None  # [S] natural speed of each style, m/s; NaN if unknown
+    shakes: Tensor | None = None  # [S] whether a walk in the style shakes; menus say so
     __eq__, __hash__ = object.__eq__, object.__hash__
 
     def __post_init__(self):
@@ -42,6 +43,10 @@ class StyleBank(Mapping[str, Tensor]):
         object.__setattr__(self, "speeds", speeds)
         if speeds.shape != (count,):
             raise ValueError(f"{count} styles need speeds [{count}], got {list(speeds.shape)}")
+        shakes = [False] * count if self.shakes is None else self.shakes
+        object.__setattr__(self, "shakes", torch.as_tensor(shakes, dtype=torch.bool))
+        if self.shakes.shape != (count,):
+            raise ValueError(f"{count} styles need marks [{count}], got {list(self.shakes.shape)}")
         if repeated := sorted(name for name, times in Counter(self.names).items() if times > 1):
             raise ValueError(f"style names repeat: {', '.join(repeated)}")
         finite = zip(self.names, self.vectors.isfinite().all(-1).tolist(), strict=True)
@@ -135,7 +140,8 @@ class StyleBank(Mapping[str, Tensor]):
         if differ := [n for n in other if n in self and not torch.equal(self[n], other[n])]:
             raise ValueError(f"both banks have {', '.join(differ)}, with different vectors")
         names = tuple(dict.fromkeys((*self, *other)))
-        both = torch.cat((self.vectors, other.vectors)), torch.cat((self.speeds, other.speeds))
+        both = [torch.cat((mine, theirs)) for mine, theirs in zip(
+            self.tensors.values(), other.tensors.values(), strict=True)]
         first = [(*self.names, *other.names).index(name) for name in names]
         return StyleBank(names, *(values[first] for values in both))
 
@@ -143,12 +149,18 @@ class StyleBank(Mapping[str, Tensor]):
         """A new bank of some of the styles, in the order given."""
         names = tuple(names)
         chosen = list(map(self._index, names))
-        return StyleBank(names, self.vectors[chosen], self.speeds[chosen])
+        return StyleBank(names, *(values[chosen] for values in self.tensors.values()))
+
+    def labels(self) -> dict[str, str]:
+        """What menus call the styles, by name: those that shake are marked."""
+        return {name: f"{name} (shakes)" if bad else name
+                for name, bad in zip(self.names, self.shakes.tolist(), strict=True)}
 
     @property
     def tensors(self) -> dict[str, Tensor]:
         """The tensors that a file stores; names are stored separately."""
-        return {"bank.vectors": self.vectors, "bank.speeds": self.speeds}
+        return {"bank.vectors": self.vectors, "bank.speeds": self.speeds,
+                "bank.shakes": self.shakes}
 
     def nearest(self, style: str | Tensor, k: int = 5) -> list[tuple[str, float]]:
         """The ``k`` styles nearest to another style, or to a vector ``[D]``.
@@ -178,4 +190,5 @@ class StyleBank(Mapping[str, Tensor]):
                    parts: dict) -> "StyleBank":
         """The bank among what `toolkit.io.model_files.read` returned for ``path``."""
         with model_files.intact(path, "the style bank"):
-            return cls(parts["bank"], tensors["bank.vectors"], tensors.get("bank.speeds"))
+            return cls(parts["bank"], tensors["bank.vectors"], tensors.get("bank.speeds"),
+                       tensors.get("bank.shakes"))

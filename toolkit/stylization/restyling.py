@@ -2,7 +2,7 @@
 
 import torch
 from scipy.interpolate import PchipInterpolator
-from scipy.signal import savgol_filter
+from scipy.ndimage import gaussian_filter1d
 from torch import Tensor
 from torch.nn import functional
 
@@ -13,7 +13,7 @@ from toolkit.stylization.data import FPS, FRAMES, describe, prepare, to_clip, wi
 from toolkit.stylization.networks import SHRINK, Stylizer
 
 PACE = 0.25  # of the root's speed: a slower toe may stand, also one of a runner
-WIDTHS = range(5, 16, 2)  # frames of the filter of arms
+WIDTHS = range(1, 6)  # deviations of the filter of changes, frames
 RELEASE = 0.25  # seconds over which the height of the body follows that of its standing toes
 
 
@@ -22,7 +22,7 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
     """Restyle a clip (Park et al. 2021).
 
     The result has the rate, root path (section 4), bones, End Sites and foot contacts of the
-    source. Its arms are smoothed until hands have no more jerk than the source's.
+    source. The change of the motion is smoothed until it has no more jerk than the source (`calm`).
 
     Parameters
     ----------
@@ -62,10 +62,10 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
                          "reference=")
     x, root_velocity = describe(source)
     padded = torch.cat((x, x[:, -1:].expand(-1, -len(source) % SHRINK, -1)), 1)
-    made = model.translate(padded[None], code)[0, :, : len(source)]
+    made = calm(model.translate(padded[None], code)[:, :, : len(source)], x[None])[0]
     if blend is not None:
         made = (made + model.shift(x[None], blend, domain)[0]) / 2
-    result = to_clip(smooth_arms(made, x, source), root_velocity, source)
+    result = to_clip(made, root_velocity, source)
     if feet:
         result = lock_feet(result, source)
     # End Sites do not turn
@@ -82,28 +82,28 @@ def _described(model: Stylizer, reference: Clip) -> Tensor:
     return windows(source)[0] if len(source) < FRAMES else describe(source)[0][None]
 
 
-def smooth_arms(made: Tensor, x: Tensor, clip: Clip) -> Tensor:
-    """Features ``[7, F, N]`` of a result whose hands have no more jerk than the source's.
+def calm(made: Tensor, x: Tensor) -> Tensor:
+    """Motions ``[B, 7, F, N]`` whose change from their sources has no high frequencies.
 
-    Each arm has the narrowest filter (cubic Savitzky-Golay, `WIDTHS`) that is enough, or the
-    widest. ``x [7, F, N]`` are the features of the source ``clip``.
+    Ours: the network is too small to rebuild a motion exactly, and trembles. The change of each
+    motion gets the narrowest Gaussian filter of `WIDTHS` with which it has no more jerk than its
+    source ``x [B, 7, F, N]``, or the widest.
     """
-    made, skeleton = made.clone(), clip.skeleton
-    for side in contacts.FEET:
-        hand = skeleton.role(f"{side}_hand")
-        arm = [j for j in range(len(skeleton))
-               if skeleton.role(f"{side}_shoulder") in (j, *skeleton.ancestors(j))]
-        moved = made[:, :, arm].numpy()
-        for width in WIDTHS:
-            if jerk(made[:3, :, hand]) <= jerk(x[:3, :, hand]) or width > len(clip):
-                break
-            made[:, :, arm] = torch.from_numpy(savgol_filter(moved, width, 3, axis=1))
-    return made
+    opposite = (made[:, 3:] * x[:, 3:]).sum((1, 2), keepdim=True) < 0  # q and −q are one rotation
+    x = torch.cat((x[:, :3], torch.where(opposite, -x[:, 3:], x[:, 3:])), 1)
+    change = made - x
+    most, smooth = jerk(x), change
+    for width in WIDTHS:
+        rough = jerk(x + smooth) > most
+        filtered = gaussian_filter1d(change[rough].numpy(), width, axis=2, mode="nearest")
+        smooth = smooth.index_put((rough,), torch.from_numpy(filtered))
+    positions, q = (x + smooth).split((3, 4), 1)
+    return torch.cat((positions, functional.normalize(q, dim=1)), 1)
 
 
-def jerk(positions: Tensor) -> Tensor:
-    """Mean norm of the third differences in time of ``positions [3, F]``."""
-    return positions.diff(n=3).norm(dim=0).mean().nan_to_num()
+def jerk(x: Tensor) -> Tensor:
+    """Mean over joints and time ``[B]`` of the third differences of positions, metres."""
+    return x[:, :3].diff(n=3, dim=2).norm(dim=1).mean((1, 2)).nan_to_num()
 
 
 def stances(clip: Clip) -> Tensor:

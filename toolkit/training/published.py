@@ -41,6 +41,8 @@ _NAMES = """
     Roadrunner Skip Star WildArms
 """
 STYLES = tuple(_NAMES.split())
+#: Styles in which `toolkit.evaluation.defects` finds shaking all the time; of the others, in none.
+SHAKING = ("Drunk",)
 
 
 def available() -> bool:
@@ -106,7 +108,8 @@ def load(folder: str | os.PathLike | None = None, *, calibrated: bool = False) -
     vectors = torch.stack([torch.cat(parts) for parts in of_style])
     speeds = torch.full((len(STYLES),), math.nan)
     speeds[: parameters.TRAINED] = read["Walk_Velocities"] / 12
-    return run.Run(model, StyleBank(STYLES, vectors, speeds))
+    shakes = torch.tensor([name in SHAKING for name in STYLES])
+    return run.Run(model, StyleBank(STYLES, vectors, speeds, shakes))
 
 
 def either(file: str | os.PathLike | None, folder: str | os.PathLike | None) -> run.Run:

@@ -20,6 +20,7 @@ from toolkit.training.loss import STEPS
 PRECISIONS = ("32", "bf16")
 PROCEDURAL = Path(__file__).with_name("pretrained.safetensors")
 RECORDED = Path(__file__).parents[2] / "examples" / "models" / "recorded.safetensors"
+TIMES = "elapsed", "processor"  # measured times in a history; two runs never have the same
 KINDS = {"history": [{"": None}], "held_out": {"": {"": None}}, "baselines": {"": {"": None}}}
 #: Contents of the takes from which it was trained.
 RECORDED_GAITS = "walk,run,dash,walk-back,walk-left,walk-right,walk-turn-left,walk-turn-right"
@@ -184,7 +185,8 @@ class Run:
     ``held_out[style]`` and ``baselines[style]`` are mean squared errors of normalised outputs on
     held-out frames: ``mse``; ``other``, with another style's vector (if it is not much larger than
     ``mse``, the model ignores the vector); ``mean`` and ``repeat``, see `baselines`. ``bone`` is
-    the error of bone lengths, metres. ``history`` has a row per evaluation.
+    the error of bone lengths, metres. ``history`` has a row per evaluation; a file holds its rows
+    without their `TIMES`, so that the same training writes the same bytes.
     """
 
     model: Predictor
@@ -220,7 +222,9 @@ class Run:
         """Its tensors and description, as `toolkit.io.model_files` stores them."""
         tensors, description = self.model.parts(generator=generator)
         config = None if self.config is None else dataclasses.asdict(self.config)
-        numbers = {"config": config, "history": self.history, "held_out": self.held_out,
+        history = [{name: value for name, value in row.items() if name not in TIMES}
+                   for row in self.history]
+        numbers = {"config": config, "history": history, "held_out": self.held_out,
                    "baselines": self.baselines}
         parts = {"model": description, "bank": list(self.bank.names), "run": numbers}
         return tensors | self.bank.tensors, parts

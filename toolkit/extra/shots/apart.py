@@ -4,7 +4,8 @@ den Berg et al. 2011).
 Optimal reciprocal collision avoidance: for each neighbour, a character keeps to a half-plane of
 velocities. Both of a pair take half of the change that avoids a collision within `HORIZON`. The
 velocity is the one in all half-planes that is nearest to the wanted one, by Hildreth's method
-(1957). Ours: where none is in all of them, all are missed by little.
+(1957). Ours: where none is in all of them, all are missed by little; who meets others walks to the
+right.
 """
 
 import numpy as np
@@ -16,6 +17,9 @@ BRAKE = 1.0  # seconds in which a character comes to its least distance from a w
 NEIGHBOURS, SIGHT = 8, 5.0  # most that a character avoids, and metres to them
 SWEEPS = 12  # of Hildreth's method
 PASSES, SPARE = 30, 1e-3  # of `parted`; metres that it adds to the least distance
+# radians by which those who meet want to go to the right, metres between them beyond their least
+# distance, and metres to the next wall
+ASIDE, CLOSE, ROOM = 0.7, 0.5, 2.0
 SOFT = 0.1  # share by which half-planes may be missed: of many, all are missed by little
 
 
@@ -43,15 +47,19 @@ def velocities(places: np.ndarray, moving: np.ndarray, wanted: np.ndarray,
     near = np.where(there, near, 0)
     radii = np.broadcast_to(radii, count)
     apart = radii[:, None] + radii[near]
-    normal, least = _half_planes(places[near] - places[:, None], moving[:, None] - moving[near],
-                                 apart)
+    to = places[near] - places[:, None]
+    close = np.linalg.norm(to, axis=-1) < apart + CLOSE
+    normal, least = _half_planes(to, moving[:, None] - moving[near], apart)
     least = np.where(there, (normal * moving[:, None]).sum(-1) + least / 2, -np.inf)
+    free = np.ones(count, bool)
     if walls is not None and len(walls):
-        to = np.stack([to_wall(places, *wall) for wall in walls], 1)
-        away = np.maximum(np.linalg.norm(to, axis=-1), 1e-6)
-        still, bound = -to / away[..., None], (margin - away) / BRAKE
+        off = np.stack([to_wall(places, *wall) for wall in walls], 1)
+        away = np.maximum(np.linalg.norm(off, axis=-1), 1e-6)
+        free = (away > ROOM).all(1)
+        still, bound = -off / away[..., None], (margin - away) / BRAKE
         normal, least = np.concatenate((normal, still), 1), np.concatenate((least, bound), 1)
-    velocity, force = wanted.copy(), np.zeros_like(least)
+    velocity = _sidestepped(wanted, wanted[near], to, there & free[:, None] & close)
+    force = np.zeros_like(least)
     for _ in range(SWEEPS):
         for k in range(force.shape[1]):
             soft = SOFT if k < near.shape[1] else 0.0
@@ -92,6 +100,18 @@ def to_wall(places: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.ndarra
     way = end - start
     share = np.clip((places - start) @ way / (way @ way), 0.0, 1.0)
     return start + share[:, None] * way - places
+
+
+def _sidestepped(wanted: np.ndarray, theirs: np.ndarray, to: np.ndarray,
+                 there: np.ndarray) -> np.ndarray:
+    """Wanted velocities ``[N, 2]``, to the right where a neighbour in front wants to come nearer.
+
+    Ours: without it, those who meet in one place stand against each other for ever.
+    """
+    meets = there & ((to * wanted[:, None]).sum(-1) > 0) & ((to * theirs).sum(-1) < 0)
+    turn, (x, z) = np.where(meets.any(1), ASIDE, 0.0), wanted.T
+    return np.stack((np.cos(turn) * x - np.sin(turn) * z,
+                     np.sin(turn) * x + np.cos(turn) * z), -1)
 
 
 def _half_planes(to: np.ndarray, relative: np.ndarray,

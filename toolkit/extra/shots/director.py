@@ -13,9 +13,10 @@ from typing import Any
 import anywidget
 import traitlets
 
+from toolkit.evaluation import findings
 from toolkit.extra import shots
 from toolkit.extra.shots import Scene, Shot, apart, feasibility, following, pins, scene
-from toolkit.motion import Clip
+from toolkit.motion import Clip, Skeleton
 from toolkit.view.frontend import CellWidget, static
 from toolkit.view.pages import live_page, page
 from toolkit.view.render.skin import Figure, figure_of
@@ -116,6 +117,17 @@ def pack(model, bank, half: bool = False, character: Figure | None = None) -> di
         "pins": constants(pins),
         "figure": pins.figure(model.layout.skeleton),
         "joints": list(model.layout.skeleton.names),
+        "gate": gate(model.layout.skeleton),
+    }
+
+
+def gate(skeleton: Skeleton) -> dict[str, Any]:
+    """The rules of `toolkit.evaluation.defects`, for ``scene/findings.js``."""
+    return constants(findings) | {
+        "limits": findings.LIMITS, "units": findings.UNITS, "least": findings.LEAST,
+        "others": {" ".join(pair): least for pair, least in findings.OTHERS.items()},
+        "roles": {role: skeleton.role(role) for role in findings.ROLES},
+        "chest": skeleton.trunk[0],
     }
 
 

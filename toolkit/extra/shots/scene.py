@@ -14,8 +14,8 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit.extra.shots import apart as avoidance
-from toolkit.extra.shots.following import FPS, LONGEST, Course, Heading, Pair, command, nearest
+from toolkit.extra.shots import apart as avoidance, following
+from toolkit.extra.shots.following import FPS, LEAD, LONGEST, Course, Heading, Pair, nearest
 from toolkit.extra.shots.keys import StyleKey, entries, number, pair
 from toolkit.extra.shots.pins import pinned
 from toolkit.extra.shots.shot import Shot, parse, read, save
@@ -27,6 +27,7 @@ from toolkit.runtime import CharacterState, Command, pose, start, step, world_jo
 WAIT = 0.4  # metres behind its plan at which the plan of a character who keeps apart waits
 FASTER, SLOWEST = 1.3, 0.3  # times the planned speed, and m/s: such a character's largest speed
 WAITS = 4  # times the longest plan after which all end
+AHEAD = 2.0  # metres of the path ahead at which a character who has left it aims
 MARGIN = 0.5  # metres between a root and a wall
 TRIED = 3 * FPS  # frames of the walk that shows the reach of a style
 STANDS, QUEUE = 0.1, 2.0  # m/s and seconds: a style that does not stand, characters that jam
@@ -230,13 +231,15 @@ class Scene:
             if all(clock >= last for clock, last in zip(clocks, lasts, strict=True)):
                 return
             places = [tuple(place) for place in state.root[:, :2].tolist()]
-            asked = [command(*plan, clock, place)
+            asked = [following.command(*plan, clock, place)
                      for plan, clock, place in zip(plans, clocks, places, strict=True)]
             velocities, facings = (np.array(pairs) for pairs in zip(*asked, strict=True))
-            held = [self.apart is not None and _held_up(course, clock, place)
-                    for (course, _), clock, place in zip(plans, clocks, places, strict=True)]
+            held = [False] * len(plans)
             if self.apart is not None:
-                velocities = self._kept(state, plans, clocks, velocities)
+                aims = [_aimed(course, *at) for (course, _), *at in zip(
+                    plans, clocks, places, velocities, strict=True)]
+                wanted, held = zip(*aims, strict=True)
+                velocities = self._kept(state, plans, clocks, np.array(wanted))
             vectors = torch.stack([style(clock)
                                    for style, clock in zip(styles, clocks, strict=True)])
             clocks = [clock + (not waits) for clock, waits in zip(clocks, held, strict=True)]
@@ -298,9 +301,21 @@ class Scene:
                      for part in (0, 1))
 
 
-def _held_up(course: Course, clock: int, place: tuple[float, float]) -> bool:
-    planned = course.distance[min(clock, len(course.distance) - 1)]
-    return planned - nearest(course.curve, place, planned) > WAIT
+def _aimed(course: Course, clock: int, place: Pair, asked: np.ndarray) -> tuple[Pair, bool]:
+    """The velocity that a character wants who may have left the path; whether others hold it up.
+
+    It goes to a place on the path `AHEAD`. Back to the nearest one, it would go against those whom
+    it makes room for, and all would stand.
+    """
+    clock = min(clock, len(course.distance) - 1)
+    here = nearest(course.curve, place, course.distance[clock])
+    held = course.distance[clock] - here > WAIT
+    if course.speed[min(clock + round(LEAD * FPS), len(course.speed) - 1)] == 0:
+        return tuple(asked), held
+    x, z = course.curve.point(here + AHEAD)
+    x, z = x - place[0], z - place[1]
+    share = max(x * asked[0] + z * asked[1], 0.0) / max(x * x + z * z, 1e-12)
+    return (share * x, share * z), held
 
 
 def _limited(velocities: np.ndarray, most: np.ndarray) -> np.ndarray:

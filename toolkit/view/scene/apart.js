@@ -18,20 +18,34 @@ function halfPlane(to, relative, apart, { AT_ONCE, HORIZON }) {
   return { normal, change: -dot(relative, normal) };
 }
 
+// the velocity that `a` wants, to the right where a neighbour in front wants to come nearer (_sidestepped of shots/apart.py)
+function sidestepped(a, near, places, wanted, { radii, rules: { ASIDE, CLOSE } }) {
+  const [x, z] = wanted[a], comes = near.some((b) => {
+    const to = minus(places[b], places[a]);
+    return size(to) < radii[a] + radii[b] + CLOSE && dot(to, wanted[a]) > 0 && dot(to, wanted[b]) < 0;
+  });
+  const [c, s] = comes ? [Math.cos(ASIDE), Math.sin(ASIDE)] : [1, 0];
+  return [c * x - s * z, s * x + c * z];
+}
+
 // the velocity of character `a` in all half-planes [normal, least, soft] that is nearest to the one it wants
-function safe(a, places, moving, wanted, { radii, walls, rules }) {
-  const { NEIGHBOURS, SIGHT, SWEEPS, SOFT, MARGIN, BRAKE } = rules, here = places[a];
+function safe(a, places, moving, wanted, scene) {
+  const { radii, walls, rules } = scene;
+  const { NEIGHBOURS, SIGHT, SWEEPS, SOFT, MARGIN, BRAKE, ROOM } = rules, here = places[a];
   const near = places.map((place, b) => [size(minus(place, here)), b]).filter(([far, b]) => b !== a && far < SIGHT);
-  const planes = near.sort(([one], [other]) => one - other).slice(0, NEIGHBOURS).map(([, b]) => {
+  const nearest = near.sort(([one], [other]) => one - other).slice(0, NEIGHBOURS).map(([, b]) => b);
+  let free = true;
+  const planes = nearest.map((b) => {
     const { normal, change } = halfPlane(minus(places[b], here), minus(moving[a], moving[b]), radii[a] + radii[b], rules);
     return [normal, dot(normal, moving[a]) + change / 2, SOFT];
   });
   for (const [start, end] of walls) {
     const way = minus(end, start), share = Math.min(Math.max(dot(minus(here, start), way) / dot(way, way), 0), 1);
     const to = minus(start, minus(here, times(share, way))), away = Math.max(size(to), 1e-6);
+    free &&= away > ROOM;
     planes.push([times(-1 / away, to), (MARGIN - away) / BRAKE, 0]);
   }
-  const velocity = [...wanted], force = planes.map(() => 0);
+  const velocity = free ? sidestepped(a, nearest, places, wanted, scene) : [...wanted[a]], force = planes.map(() => 0);
   for (let sweep = 0; sweep < SWEEPS; sweep++)
     planes.forEach(([normal, least, soft], k) => {
       const more = Math.max((least - dot(normal, velocity) - soft * force[k]) / (1 + soft), -force[k]);
@@ -64,6 +78,14 @@ function parted(places, radii, walls, { PASSES, SPARE, MARGIN }) {
   return moved;
 }
 
+// {velocity, held}: what a character wants who may have left the path, and whether others hold it up (_aimed of shots/scene.py)
+function aimed({ course: { curve, distance, speed, rules: { FPS, LEAD } } }, clock, place, asked, { WAIT, AHEAD }) {
+  const here = nearest(curve, place, distance[clock]), held = distance[clock] - here > WAIT;
+  if (speed[Math.min(clock + round(LEAD * FPS), speed.length - 1)] === 0) return { velocity: asked, held };
+  const to = minus(curve.point(here + AHEAD), place);
+  return { velocity: times(Math.max(dot(to, asked), 0) / Math.max(dot(to, to), 1e-12), to), held };
+}
+
 export class Together {
   constructor(takes, { walls = [], ...more }, { data: { apart: rules }, rules: { FPS, LONGEST } }) {
     const most = Math.max(...takes.map((take) => take.count));
@@ -79,13 +101,10 @@ export class Together {
     if (this.frames >= this.most || takes.every((take) => take.clock >= take.course.distance.length - 1)) return false;
     const asked = takes.map((take) => take.ask()), places = takes.map((take) => take.place);
     const moving = takes.map(({ character: { state } }) => [...state.velocity]);
-    const held = takes.map((take, k) => {
-      const { course: { curve, distance } } = take, planned = distance[at(take)];
-      return planned - nearest(curve, places[k], planned) > rules.WAIT;
-    });
+    const aims = takes.map((take, k) => aimed(take, at(take), places[k], asked[k].velocity, rules)), held = aims.map((aim) => aim.held);
     const most = takes.map((take) => rules.FASTER * Math.max(take.course.speed[at(take)], rules.SLOWEST));
-    const wanted = asked.map(({ velocity }, k) => limited(velocity, most[k]));
-    const commands = asked.map(({ facing }, k) => ({ facing, velocity: limited(safe(k, places, moving, wanted[k], this), most[k]) }));
+    const wanted = aims.map(({ velocity }, k) => limited(velocity, most[k]));
+    const commands = asked.map(({ facing }, k) => ({ facing, velocity: limited(safe(k, places, moving, wanted, this), most[k]) }));
     takes.forEach((take, k) => (take.clock += held[k] ? 0 : 1));
     advance(takes.map((take) => take.character), commands, takes.map((take) => take.style));
     const now = takes.map(({ character: { state: { history } } }) => [...history.slice(-4, -2)]);

@@ -5,7 +5,7 @@
 // data = {
 //   network, rules, body: see network.js, frame.js, pose.js;  start: the state in the first frame;  skeleton: see scene.js
 //   life: {amount, period}: how the styles wander, see life.js
-//   styles: [names], vectors: numbers [styles * D];  turn, run, ease: as in view/controller.py
+//   styles: [names], labels: {name: in menus}, vectors: numbers [styles * D];  turn, run, ease: as in view/controller.py
 //   others: [{style, radius, angle, way, speed, tint}]: characters that walk on rings around the start, of a crowd; [] without
 //   crowd: the skeleton of these bodies, or null
 //   bvh: {header, joints, centimetre} of a recording;  traits: first values for controller.js
@@ -109,12 +109,12 @@ export class Model {
 export class Kernel extends Model {
   constructor(data) {
     super();
-    const { styles, vectors, rules, start } = data;
+    const { styles, labels, vectors, rules, start } = data;
     Object.assign(this, { data, fps: rules.fps, character: new Character(data), vectors: numbers(vectors) });
     this.others = data.others.map((one) => new Walker(data, this.character.network, this.vectors, one));
     this.size = this.vectors.length / styles.length;
     const crowd = data.crowd && { skeleton: data.crowd, tints: data.others.map(({ tint }) => tint) };
-    this.traits = { styles, skeleton: data.skeleton, crowd, feet: true, arms: true, recording: false, status: "", ...data.traits };
+    this.traits = { styles, labels, skeleton: data.skeleton, crowd, feet: true, arms: true, recording: false, status: "", ...data.traits };
     this.input = { id: 0, move: [0, 0], turn: 0, run: false, heading: null };
     this.facing = Math.atan2(...start.facing);
     this.style = this.target();

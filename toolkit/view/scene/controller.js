@@ -1,6 +1,6 @@
 // Live control: the page sends user input, the kernel sends poses, the newest one is drawn.
 //
-// Traits: skeleton (see scene.js), styles [names], names [3], weights [3], speed, feet, arms, recording, status, and size
+// Traits: skeleton (see scene.js), styles [names], labels {name: in menus}, names [3], weights [3], speed, feet, arms, recording, status, and size
 //   [width, height] of the picture, pixels; without one it fills its element
 // Page → kernel: {kind: "input", id, move: [right, ahead], turn, run, heading: [x, z] or null}, {kind: "seen", frame}
 // Kernel → page: {kind: "frame", frame, input} and one float32 buffer:
@@ -162,7 +162,7 @@ export function render({ model, el }) {
   const side = make("div", "tkc-side", root);
   const box = make("div", "tkc-menus", side), menus = [0, 1, 2].map((i) => {
     const menu = make("select", "", box, { ariaLabel: `Style ${i + 1}` });
-    for (const style of model.get("styles")) make("option", "", menu, { value: style, textContent: style });
+    for (const style of model.get("styles")) make("option", "", menu, { value: style, textContent: model.get("labels")[style] });
     menu.onchange = () => {
       set("names", model.get("names").map((name, k) => (k === i ? menu.value : name)));
       stage.focus({ preventScroll: true }); // for the keys

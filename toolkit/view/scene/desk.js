@@ -2,8 +2,10 @@
 //
 // Desk(data, scene, changed): data of view/director.py's pack; scene as a file holds it. `changed(what)` is called after a change of
 //   the shots ("shots"), of the undo list ("kept"), and whenever more frames are there ("frames").
+// `findings` are the defects of the motion (findings.js); null until all of it is looked at.
 import { Together } from "./apart.js";
 import { Character } from "./character.js";
+import { defects } from "./findings.js";
 import { Network } from "./network.js";
 import { numbers } from "./numbers.js";
 import { missedPins, pinned } from "./pins.js";
@@ -100,14 +102,14 @@ export class Desk {
       making[k] = at < 0 ? new Take(this.shots[k], this, new Character(this.data, this.network), now, older) : this.making[at];
       if (at < 0) this.stats.since = making[k].frames.length; // the first frame that is computed again
     });
-    Object.assign(this, { takes, making });
+    Object.assign(this, { takes, making, findings: null, judging: null });
     if (more.apart === undefined) this.together = null;
     else if (!same) this.together = new Together([...making], more, this);
     this.due();
   }
 
   due() {
-    if (this.waits || !this.making.some(Boolean)) return;
+    if (this.waits || (this.findings && !this.making.some(Boolean))) return;
     this.waits = true;
     this.channel.port2.postMessage(null);
   }
@@ -125,8 +127,21 @@ export class Desk {
       this.stats.ms.push(performance.now() - this.making[members[0]].since);
       for (const k of members) [this.takes[k], this.making[k]] = [this.making[k], null];
     }
+    if (!making.some(Boolean)) this.judge(until);
     this.changed("frames");
     this.due();
+  }
+
+  // looks for defects in the whole motion, until a time
+  judge(until) {
+    const { data: { gate, skeleton }, takes, rules: { FPS }, more } = this;
+    this.judging ??= defects(takes.map((take, k) => ({ count: take.frames.length, pose: (f) => this.pose(k, f) })), skeleton, FPS, gate, more.apart);
+    while (performance.now() < until) {
+      const { done, value } = this.judging.next();
+      if (!done) continue;
+      this.findings = value;
+      break;
+    }
   }
 
   // the share of the motion that is there

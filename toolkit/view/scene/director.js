@@ -6,6 +6,7 @@ import { unpack } from "./body.js";
 import { bvh } from "./character.js";
 import { bisectRight } from "./course.js";
 import { Desk } from "./desk.js";
+import { summary } from "./findings.js";
 import { colorOf, floorMap } from "./floor_map.js";
 import { glb } from "./gltf.js";
 import { LIMBS } from "./pins.js";
@@ -50,6 +51,7 @@ const CSS = `
 .tkd-time .pause{fill:#c9a22755}.tkd-time g path.key{fill:#fff;stroke:#2b323b;stroke-width:1.6;cursor:grab}
 .tkd-time g path.key.on{fill:#2b323b}
 .tkd-time g path.ghosts{stroke:#7b68c4}.tkd-time g path.pins{stroke:#d03a2b}.tkd-time g path.holds{stroke:#8a6d10}
+.tkd-time .defect{fill:#d03a2b}.tkd-found{margin:0;padding:1px 14px 4px;color:var(--soft);min-height:1.9em}.tkd-found.bad{color:#8c1d13}
 .tkd-side,.tkd-form{display:flex;flex-direction:column;gap:8px}.tkd-side{grid-area:side;overflow:auto;padding:2px}
 .tkd-side h3{margin:0;font-size:14px}.tkd-side label{display:grid;grid-template-columns:84px 1fr;gap:6px;align-items:center}
 .tkd-side label input,.tkd-side label select{min-width:0;width:100%}.tkd-side input[type=checkbox]{width:auto;justify-self:start}
@@ -80,6 +82,7 @@ export function render({ model, el }) {
   view.style.gridArea = "stage", floor.style.gridArea = "map";
   const aside = make("div", "tkd-side", root), low = make("div", "tkd-low", root);
   const map = floorMap(floor, desk, { select, edit }), time = timeline(low, desk, { select, edit, seek, ghosts });
+  const judged = make("p", "tkd-found", low, { role: "status", ariaLabel: "Defects" });
   const form = shotForm(aside, desk, { select, edit, remove: removeSelected });
   const say = make("div", "tkd-say", view, { role: "status", ariaLabel: "What cannot be met" });
 
@@ -225,6 +228,13 @@ export function render({ model, el }) {
     say.replaceChildren(...[problem, ...lines].flatMap((line, k) => (line ? [make("p", k ? "" : "bad", null, { textContent: line })] : [])));
   }
 
+  // what is broken, in a line under the timeline
+  function judge() {
+    const { findings, data: { gate } } = desk, line = findings ? summary(findings, gate, desk.shots.map((shot) => shot.name)) : "";
+    if (judged.textContent !== line) judged.textContent = judged.title = line;
+    judged.classList.toggle("bad", !!findings?.length);
+  }
+
   function pose(list, at, k, seconds, ghost) {
     const found = desk.pose(k, Math.round(seconds * fps) - 1), body = (list[at] ??= scene.add({ ghost }));
     scene.show(body, !!found);
@@ -238,7 +248,7 @@ export function render({ model, el }) {
     const frame = Math.round(desk.seconds * fps) - 1;
     const rows = { ...desk.shot, ghosts, arrivals: desk.shot.path };
     if (selected && rows[selected.list][selected.k] === undefined) selected = null;
-    head(), form.draw(selected), words();
+    head(), form.draw(selected), words(), judge();
     map.draw(selected, Math.max(frame, 0));
     time.draw(selected, desk.seconds);
     if (focused && (!focused.isConnected || focused.disabled) && document.activeElement === document.body)

@@ -80,7 +80,7 @@ export function shotForm(parent, desk, { select, edit, remove }) {
     names.forEach((name, i) => {
       const row = make("div", "tkd-mix", box), menu = make("select", "", row, { ariaLabel: `Style ${i + 1}` });
       for (const style of desk.styles)
-        make("option", "", menu, { value: style, textContent: style, disabled: style !== name && names.includes(style) });
+        make("option", "", menu, { value: style, textContent: desk.data.labels[style], disabled: style !== name && names.includes(style) });
       menu.value = name;
       menu.onchange = () => change((one) => {
         one.blend = Object.fromEntries(Object.entries(one.blend).map(([other, w]) => [other === name ? menu.value : other, w]));

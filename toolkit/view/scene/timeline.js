@@ -1,8 +1,10 @@
-// Time from left to right: a ruler to scrub, the blend of styles as a coloured band, the planned speed, pauses, and their keys.
+// Time from left to right: a ruler to scrub, the blend of styles as a coloured band, the planned speed, pauses, and their keys. Defects
+// of the selected character are red on the ruler.
 //
 // timeline(parent, desk, {select, edit, seek, ghosts}) returns {draw(selected, seconds)}; `ghosts` are the times of onion skins.
 import { draw, pool, set } from "./floor_map.js";
 import { keyed } from "./course.js";
+import { told } from "./findings.js";
 import { PARTS } from "./pins.js";
 
 const PAD = 14, RULER = 26, BAND = 44, SPEED = 50, PAUSE = 20, SAMPLES = 160, STEP = 0.1, APART = 0.02; // pixels; seconds
@@ -33,7 +35,7 @@ export function timeline(parent, desk, { select, edit, seek, ghosts }) {
   const path = (kind) => draw(svg, "path", { class: `hollow ${kind}` }), group = (kind = "") => draw(svg, "g", { class: kind });
   const ticks = path("grid"), texts = group(), bands = group(), names = group("names"), paces = group(), spans = group();
   const speed = path("speed"), fast = path("off"), now = path("now");
-  const keys = draw(svg, "g");
+  const broken = group("broken"), keys = draw(svg, "g");
   let most = 2, length = 10, held = null;
 
   const take = () => desk.take(desk.selected), width = () => svg.clientWidth - 2 * PAD;
@@ -158,6 +160,12 @@ export function timeline(parent, desk, { select, edit, seek, ghosts }) {
       pool(spans, "rect", shot.holds.length).forEach((rect, k) => {
         const from = out(begins(shot.holds[k])), to = out(Math.min(begins(shot.holds[k]) + shot.holds[k].seconds, length));
         set(rect, { class: "pause", x: from, y: TOPS.holds - 8, width: Math.max(to - from, 2), height: 16, rx: 4 });
+      });
+      const found = (desk.findings ?? []).filter(({ characters }) => characters.includes(desk.selected));
+      pool(broken, "rect", found.length).forEach((rect, i) => {
+        const { start, end } = found[i], line = told(found[i], desk.data.gate);
+        set(rect, { class: "defect", x: out(start), y: RULER - 6, width: Math.max(out(end) - out(start), 3), height: 6, "aria-label": line, role: "img" });
+        if (rect.textContent !== line) rect.replaceChildren(), draw(rect, "title", {}).textContent = line;
       });
       set(now, { d: `M${out(seconds)} 0V${HEIGHT}` });
       pool(keys, "path", all.length).forEach((path, i) => {

@@ -9,6 +9,7 @@ page asks again.
 import asyncio
 import math
 import os
+from collections import deque
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -25,6 +26,7 @@ from toolkit.view.pages.page import skeleton_data
 from toolkit.view.render.skin import Figure, figure_of
 from toolkit.view.widgets.corners import Corners, corners
 
+KEPT = 600.0  # seconds of a recording, 16 MB
 PATIENCE = 2.0  # seconds without a message from the page after which the character waits
 
 
@@ -56,7 +58,8 @@ class Controller(CellWidget, Corners):
     feet, arms
         Whether foot IK and arm IK are on.
     recording
-        While true, frames are kept for `clip`; setting it to true starts a new recording.
+        While true, the last ten minutes are kept for `clip`; setting it to true starts a new
+        recording.
 
     Raises
     ------
@@ -67,6 +70,7 @@ class Controller(CellWidget, Corners):
     _esm = static("scene.js")
     skeleton = traitlets.Dict().tag(sync=True)
     styles = traitlets.List(traitlets.Unicode()).tag(sync=True)
+    labels = traitlets.Dict().tag(sync=True)
     size = traitlets.List(traitlets.Int(), [640, 480]).tag(sync=True)
     speed = traitlets.Float(1.0, min=0.1, max=3.0).tag(sync=True)
     feet = traitlets.Bool(True).tag(sync=True)
@@ -79,6 +83,7 @@ class Controller(CellWidget, Corners):
         self, model, bank, *, styles: Sequence[str] | None = None,
         size: tuple[int, int] = (640, 480), character: str | os.PathLike | Figure | None = None
     ):
+        self._recorded: deque[np.ndarray] = deque(maxlen=round(KEPT * FPS))
         names = (ordered(bank) * 3)[:3] if styles is None else list(styles)
         if len(names) != 3:
             raise ValueError(f"a triangle has three styles, got {names}")
@@ -90,10 +95,9 @@ class Controller(CellWidget, Corners):
         self._facing = 0.0
         self._input = {"id": 0, "move": [0.0, 0.0], "turn": 0.0, "run": False, "heading": None}
         self.frames = self._seen = 0
-        self._recorded: list[np.ndarray] = []
         skeleton = skeleton_data(example(model, bank), figure_of(character))
         super().__init__(names=names, weights=[1.0, 0.0, 0.0], styles=list(bank.names),
-                         speed=speed, size=list(size), skeleton=skeleton)
+                         labels=bank.labels(), speed=speed, size=list(size), skeleton=skeleton)
         self.on_msg(self._receive)
         self._loop = running_loop()
         if self._loop is not None:
@@ -131,11 +135,12 @@ class Controller(CellWidget, Corners):
             self._step()
 
     def close(self) -> None:
-        """Stop and remove the widget."""
+        """Stop and remove the widget and its recording: a notebook keeps every result."""
         if self._task is not None and not self._loop.is_closed():
             self._loop.call_soon_threadsafe(self._task.cancel)
         super().close()
         self.skeleton = {}
+        self._recorded.clear()
 
     @traitlets.validate("speed")
     def _finite(self, proposal: dict) -> float:
@@ -153,7 +158,7 @@ class Controller(CellWidget, Corners):
     @traitlets.observe("recording")
     def _record(self, change: dict) -> None:
         if change["new"]:
-            self._recorded = []
+            self._recorded.clear()
 
     def _receive(self, _widget, message: dict, _buffers) -> None:
         """A message of a page (any thread): store it, wake the task."""

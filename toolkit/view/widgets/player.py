@@ -90,4 +90,4 @@ class Player(CellWidget, anywidget.AnyWidget):
     def close(self) -> None:
         """Remove the widget, and what the page was sent: a notebook keeps every result."""
         super().close()
-        self.skeletons, self.clips, self._bodies = [], [], {}
+        self.skeletons, self.clips, self.shown, self._bodies = [], [], [], {}
