@@ -90,12 +90,17 @@ def test_fitted_vectors_have_less_error_and_the_model_stays_the_same():
 
 
 @pytest.mark.parametrize("names", [("style0",), ("style0", "style1")])
-def test_a_fit_begins_with_steps_of_six_hundredths_of_the_deviation_between_styles(names):
+def test_a_fit_begins_with_steps_of_six_hundredths_of_the_deviation_between_styles(names, capsys):
     data, run = waves(), training.fit(waves(), dataclasses.replace(QUICK, steps=2))
     kinds = ("inputs", "phases", "outputs", "clips", "takes")
     parts = {kind: {name: getattr(data, kind)[name] for name in names} for kind in kinds}
     bank = run.bank.select(names)
-    one = refit(run.model, bank, dataclasses.replace(data, **parts), steps=1)
+    data = dataclasses.replace(data, **parts)
+    one = refit(run.model, bank, data, steps=1)
+    quick = training.Config.quick()
+    same = refit(run.model, bank, data, 1, quick.seed, quick.pose_mixup)
+    assert torch.equal(one.vectors, same.vectors)
+    assert capsys.readouterr().err == ""  # no bar, unless it is asked for
     apart = float(bank.vectors.std(0).mean()) if len(names) > 1 else 1.0
     gone = (one.vectors - bank.vectors).abs().median()  # Adam's first step is as long as its rate
     assert float(gone) == pytest.approx(0.06 * apart, rel=1e-2)
