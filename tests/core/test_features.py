@@ -260,6 +260,16 @@ def test_offsets_that_are_no_window_are_refused(walk_clip, samples):
         Layout(walk_clip.skeleton, samples=samples)
 
 
+@pytest.mark.parametrize(("limbs", "why"), [
+    (("left_hand", 1), "a limb of the phases must be named by a text, got 1"),
+    (("left_hand", "\0"), "the name of a limb of the phases has characters that cannot be printed"),
+    ("left_hand", "a limb of the phases: expected a list of names, got the text 'left_hand'")])
+def test_limbs_of_a_file_that_are_no_names_are_refused(walk_clip, limbs, why):
+    stored = Layout(walk_clip.skeleton).to_json() | {"phase_limbs": limbs}
+    with pytest.raises(ValueError, match=f"^{why}"):
+        Layout.from_json(stored)
+
+
 def test_the_mean_velocity_of_a_style_clip_is_that_of_its_root():
     goes = torch.tensor([[0.1, 1.0], [-0.3, 2.0]])
     velocity = torch.full((2, 240, 3, 3), 9.0)

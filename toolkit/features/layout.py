@@ -11,6 +11,7 @@ from torch import Tensor
 from toolkit import phases
 from toolkit.motion import Skeleton, contacts, trajectory
 from toolkit.motion.tensors import summary
+from toolkit.motion.text import checked
 
 SIZES = 1.4  # largest ratio of the sizes of two skeletons of one layout
 PHASES = {  # phase of a model: the blocks of z that are as wide as p
@@ -60,6 +61,7 @@ class Layout:
             raise ValueError(f"samples are ascending whole frames from {-trajectory.PAST} on: past "
                              f"ones, 0, future ones; got {list(offsets)}")
         object.__setattr__(self, "samples", offsets)
+        object.__setattr__(self, "phase_limbs", checked(self.phase_limbs, "a limb of the phases"))
         joints = 12 * len(self.skeleton.feature_joints)
         widths_in = {"trajectory": 4 * len(offsets), "joints": joints}
         widths_out = {"trajectory": 4 * len(self.ahead), "joints": joints}
@@ -190,8 +192,6 @@ class Layout:
         fields = dict(values)
         own = {name: fields.pop(name) for name in ("phase", "samples", "phase_limbs")
                if name in fields}
-        for name in own.keys() - {"phase"}:
-            own[name] = tuple(own[name])
         return cls(Skeleton(**fields), **own)
 
 
