@@ -115,6 +115,44 @@ def test_gltf_names_the_joints_and_holds_what_moves(tmp_path, zombie):
     assert "animations" not in document(tmp_path / "still.glb")
 
 
+def test_amass_poses_are_those_of_the_clip(tmp_path, zombie):
+    """Read by numpy and by our own reader; the pose of a frame is computed here once more."""
+    path = tmp_path / "a.npz"
+    tk.save(zombie, path)
+    with np.load(path) as file:
+        made = dict(file)
+    assert made["poses"].shape == (len(zombie), 156)
+    assert made["trans"].shape == (len(zombie), 3)
+    assert not made["betas"].any()
+    assert (str(made["gender"]), float(made["mocap_framerate"])) == ("neutral", 60.0)
+    with pytest.warns(UserWarning, match="bone lengths are those of an average person"):
+        again = tk.load(path)
+    assert again.fps == 60
+    assert tk.metrics.upright(again)
+    # limbs go where those of the clip go; foot IK moves the legs a little
+    for a, b, least in (("shoulder", "elbow", 0.999), ("elbow", "hand", 0.999),
+                        ("hip", "knee", 0.99), ("knee", "foot", 0.99)):
+        ways = []
+        for clip in (zombie, again):
+            start, end = (clip.global_positions[:, clip.skeleton.role(f"left_{role}")]
+                          for role in (a, b))
+            ways.append(torch.nn.functional.normalize(end - start, dim=-1))
+        assert float((ways[0] * ways[1]).sum(-1).min()) > least
+    # SMPL's kinematics with z up, in numpy alone
+    from scipy.spatial.transform import Rotation
+
+    frame, formats = 50, tk.extra.formats.npz
+    local = Rotation.from_rotvec(made["poses"][frame, :66].reshape(22, 3))
+    rest, turned, places = formats.rest_pose(22).numpy(), [local[0]], [
+        made["trans"][frame] + formats.ORIGIN]
+    for j in range(1, 22):
+        parent = formats.PARENTS[j]
+        places.append(places[parent] + turned[parent].apply(rest[j]))
+        turned.append(turned[parent] * local[j])
+    x, y, z = np.stack(places).T
+    assert abs(np.stack((x, z, -y), 1) - again.global_positions[frame].numpy()).max() < 1e-4
+
+
 def test_bvh_is_read_the_same_by_pybvh(tmp_path, zombie):
     pybvh = pytest.importorskip("pybvh")
     tk.bvh.save(zombie, tmp_path / "a.bvh")

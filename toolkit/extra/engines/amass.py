@@ -1,0 +1,46 @@
+"""A clip as SMPL-H poses in a NumPy file (.npz), as AMASS has them (Mahmood et al. 2019)."""
+
+import io
+import math
+from pathlib import Path
+
+import numpy as np
+import torch
+
+from toolkit.extra.characters.retargeting import retarget
+from toolkit.extra.formats import npz
+from toolkit.io.files import write_whole
+from toolkit.motion import Clip, Skeleton, rotations as R
+
+WIDTH = 156  # of the poses: 22 joints of the body, 30 of the fingers, which stay straight
+SHAPES = 16  # numbers of the body's shape, zeros: the mean
+
+
+def write(clip: Clip, path: Path, *, title: str, source: Clip | None, progress: bool,
+          character) -> None:
+    """Write ``poses [F, 156]``, ``trans [F, 3]``, ``betas``, ``gender`` and ``mocap_framerate``.
+
+    The clip is put on the skeleton of an average person (`toolkit.extra.formats.npz.rest_pose`).
+    Metres and rotation vectors; z is up, as in AMASS. ``trans`` is the pelvis less its place in
+    SMPL's template, which is known to about a centimetre.
+    """
+    body = Skeleton(npz.BODY, npz.PARENTS[:22], npz.rest_pose(22).float(), roles=npz.ROLES)
+    made = retarget(clip if character is None else character.fitted(clip), body).to("cpu")
+
+    # From y up to z up: only the root's rotation and place change
+    turns = R.normalize(made.rotations.double())
+    upright = R.from_axis_angle(torch.tensor([1.0, 0.0, 0.0]), torch.tensor(math.pi / 2)).to(turns)
+    turns = torch.cat((R.multiply(upright.expand_as(turns[:, :1]), turns[:, :1]), turns[:, 1:]), 1)
+    place = R.rotate(upright, made.root_positions.double()) - torch.tensor(npz.ORIGIN)
+
+    # Rotation vectors: the axis times the angle, at most half a turn
+    turns = torch.where(turns[..., :1] < 0, -turns, turns)
+    size = turns[..., 1:].norm(dim=-1, keepdim=True)
+    angle = 2 * torch.atan2(size, turns[..., :1])
+    vectors = turns[..., 1:] / size.clamp_min(1e-12) * angle
+    poses = np.zeros((len(made), WIDTH))
+    poses[:, :66] = vectors.flatten(1).numpy()
+    file = io.BytesIO()
+    np.savez(file, poses=poses, trans=place.numpy(), betas=np.zeros(SHAPES), gender="neutral",
+             mocap_framerate=made.fps)
+    write_whole(path, file.getvalue())
