@@ -115,6 +115,34 @@ def test_gltf_names_the_joints_and_holds_what_moves(tmp_path, zombie):
     assert "animations" not in document(tmp_path / "still.glb")
 
 
+def test_usd_sees_the_same_skin_move(tmp_path, zombie):
+    """Pixar's library computes joints and vertices from the file."""
+    pytest.importorskip("pxr", reason="needs usd-core")
+    from pxr import Usd, UsdGeom, UsdSkel
+
+    path = tmp_path / "a.usdc"
+    tk.save(zombie, path)
+    stage = Usd.Stage.Open(str(path))
+    assert stage.GetTimeCodesPerSecond() == zombie.fps
+    assert UsdGeom.GetStageUpAxis(stage) == "Y"
+    assert UsdGeom.GetStageMetersPerUnit(stage) == 1
+    root = UsdSkel.Root(stage.GetDefaultPrim())
+    rig = UsdSkel.Skeleton.Get(stage, "/Character/Skeleton")
+    cache = UsdSkel.Cache()
+    cache.Populate(root, Usd.PrimDefaultPredicate)
+    query = cache.GetSkelQuery(rig)
+    names = [str(joint).split("/")[-1] for joint in query.GetJointOrder()]
+    assert names == list(zombie.skeleton.names)
+    mesh = UsdGeom.Mesh.Get(stage, "/Character/Mannequin")
+    skinning = cache.GetSkinningQuery(mesh.GetPrim())
+    for frame in (0, len(zombie) // 3, len(zombie) - 1):
+        joints = np.array(query.ComputeJointSkelTransforms(frame))
+        assert abs(joints[:, 3, :3] - zombie.global_positions[frame].numpy()).max() < 1e-4
+        points = mesh.GetPointsAttr().Get()
+        assert skinning.ComputeSkinnedPoints(query.ComputeSkinningTransforms(frame), points, frame)
+        assert abs(np.array(points) - drawn(zombie, frame)).max() < 1e-4
+
+
 def test_amass_poses_are_those_of_the_clip(tmp_path, zombie):
     """Read by numpy and by our own reader; the pose of a frame is computed here once more."""
     path = tmp_path / "a.npz"

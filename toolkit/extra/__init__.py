@@ -9,7 +9,7 @@
 | `matching` | motion matching: a search in the data in the place of a network |
 | `store` | features on the disk, computed by several processes |
 | `benchmark` | StyleWalk, a benchmark of steered walks in a style |
-| `engines` | glTF, AMASS and ONNX files |
+| `engines` | glTF, OpenUSD, AMASS and ONNX files |
 """
 
 import pkgutil
@@ -30,6 +30,7 @@ for _name, _part in {
     "recording.interpretation": "formats.interpretation",
     "recording.inspection": "formats.inspection:inspect",
     "writer.glb": "engines.gltf:write", "writer.npz": "engines.amass:write",
+    "writer.usdc": "engines.usd:write",
     "motion.retargeting": "characters.retargeting",
     "character.load": "characters.character:Character",
     "character.save": "engines.character_gltf:save",
