@@ -148,6 +148,18 @@ def test_a_killed_run_goes_on_with_nothing_lost_or_doubled(root, made, tmp_path)
     assert contents(out) == contents(made)
 
 
+def test_a_run_that_was_killed_before_its_manifest_was_whole_begins_again(root, made, tmp_path):
+    out = tmp_path / "store"
+    out.mkdir()
+    (out / ".manifest.json.0123abcd.partial").write_text("{")
+    assert preprocess(root, out)
+    assert contents(out) == contents(made)
+    (tmp_path / "other").mkdir()
+    (tmp_path / "other" / "own.txt").touch()
+    with pytest.raises(ValueError, match="expected a store or an empty folder, and it is neither"):
+        preprocess(root, tmp_path / "other")
+
+
 def test_what_is_damaged_missing_or_older_than_its_files_is_made_again(root, made, tmp_path):
     out, data = tmp_path / "store", tmp_path / "data"
     shutil.copytree(made, out)

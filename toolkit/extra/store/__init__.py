@@ -154,17 +154,18 @@ def _file(out: Path, number: int) -> Path:
 
 def _begin(out: Path, settings: dict[str, Any], styles: list[str]) -> None:
     """Write the manifest of a new store, or compare that of the store which is there."""
+    leftovers = set(out.glob(".*.partial"))  # of a killed run
     if is_store(out):
         if why := difference(_manifest(out)[0], settings):
             raise ValueError(f"{out}: the store there was made with other settings ({why}); use "
                              "another folder")
-    elif out.exists() and not (out.is_dir() and not any(out.iterdir())):
+    elif out.exists() and not (out.is_dir() and leftovers.issuperset(out.iterdir())):
         raise ValueError(f"{out}: expected a store or an empty folder, and it is neither")
     else:
         manifest = {"format": FORMAT, "settings": settings, "styles": styles}
         write_whole(out / MANIFEST, json.dumps(manifest, indent=1).encode())
-    for leftover in out.glob(".*.partial"):  # of a killed run
-        leftover.unlink()
+    for leftover in leftovers:
+        leftover.unlink(missing_ok=True)
 
 
 def _manifest(path: Path) -> tuple[dict[str, Any], list[str]]:
