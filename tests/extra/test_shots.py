@@ -270,6 +270,22 @@ def test_check_names_a_style_that_walks_on_in_a_pause():
     assert shot.unmet(bank, (course, heading), [(0.0, at) for at in course.distance[1:]]) == []
 
 
+def test_check_blames_the_pause_and_not_the_turn_before_it():
+    bent = Shot([(0, 0), (0, 2), (1.5, 2.3), (3, 2)], "Neutral", [(0, 1.0)])
+    held = dataclasses.replace(bent, holds=[{"distance": 2.3, "seconds": 2}])
+    _, bank = tk.pretrained()
+    said = []
+    for shot in (bent, held):
+        plan = shot.plan(bank)
+        curve = plan[0].curve
+        ahead = [curve.point(at) for at in plan[0].distance[1:]]
+        late = next(k for k, at in enumerate(plan[0].distance) if at > 2.29)
+        ahead[late + 5] = (ahead[late + 5][0] - 0.3, ahead[late + 5][1] + 0.3)
+        said.append(next(x for x in shot.unmet(bank, plan, ahead) if "from the path" in x))
+    assert "the turn after" in said[0]
+    assert "does not stand still in the pause after 2.3 m" in said[1]
+
+
 def test_a_look_at_point_is_faced(embedded):
     shot = Shot([(0, 0), (0, 4)], "Neutral", [(0, 0.6)], look_at=(3.0, 2.0))
     for state in list(Scene([shot]).states(*embedded))[90:300:30]:

@@ -38,14 +38,19 @@ def missed(course: Course, natural: Callable[[float], float], style: Callable[[f
         found.append(f"at {fast / FPS:.1f} s {_speed(course, ratio, fast)}: slow down or choose a "
                      "faster style")
 
-    # too far from the path, in a turn of the last second or because of the style
+    # too far from the path, in a pause or a turn of the last second or because of the style
     if max(apart) > OFF:
         worst = apart.index(max(apart))
-        turn = min(range(max(worst + 1 - FPS, 1), worst + 2),
-                   key=lambda k: radius(course, course.distance[k]))
+        recent = range(max(worst + 1 - FPS, 1), worst + 2)
+        turn = min(recent, key=lambda k: radius(course, course.distance[k]))
+        stands = next((k for k in recent if course.speed[k] < SLOW
+                       and 0 < course.distance[k] < course.curve.length), 0)
         at, speed = course.distance[turn], course.speed[turn]
         why = f"{style(worst / FPS)} does not keep to it; choose another style there"
-        if speed**2 > EASY * radius(course, at):
+        if stands:
+            why = (f"it does not stand still in the pause after {course.distance[stands]:.1f} m; "
+                   "slow down before it, or pause elsewhere")
+        elif speed**2 > EASY * radius(course, at):
             why = (f"the turn after {at:.1f} m, of radius {radius(course, at):.1f} m, is too tight "
                    f"at {speed:.2f} m/s; widen it or slow down there")
         found.append(f"at {(worst + 1) / FPS:.1f} s the character is {100 * apart[worst]:.0f} cm "

@@ -367,7 +367,8 @@ export function missed(take, limits) {
   if (apart[worst] > limits.OFF) {
     const tight = (k) => radius(course, distance[k], limits);
     const turn = best(worst + 2, (a, b) => tight(a) < tight(b), Math.max(worst + 1 - FPS, 1));
-    const why = speed[turn] ** 2 > limits.EASY * tight(turn)
+    const stands = speed.findIndex((v, k) => k >= Math.max(worst + 1 - FPS, 1) && k <= worst + 1 && v < limits.SLOW && distance[k] > 0 && distance[k] < curve.length);
+    const why = stands > 0 ? `it does not stand still in the pause after ${distance[stands].toFixed(1)} m; slow down before it, or pause elsewhere` : speed[turn] ** 2 > limits.EASY * tight(turn)
       ? `the turn after ${distance[turn].toFixed(1)} m, of radius ${tight(turn).toFixed(1)} m, is too tight at ${speed[turn].toFixed(2)} m/s; `
         + "widen it or slow down there"
       : `${styleAt(shot, worst / FPS)} does not keep to it; choose another style there`;
