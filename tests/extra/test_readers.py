@@ -11,6 +11,7 @@ from motion_files import Document, axis_angles, fbx, fbx_scene, packed, smpl_wal
 
 import toolkit as tk
 from toolkit.extra.formats import fbx as fbx_reader, gltf, humanml3d, npz
+from toolkit.extra.formats.gltf_file import unit_quaternions
 from toolkit.motion import forward_kinematics
 
 
@@ -279,6 +280,12 @@ def hostile(change):
 ])
 def test_hostile_gltf_files(tmp_path, change, problem):
     assert refused(gltf.read, written(tmp_path / "a.glb", hostile(change)), problem) is ValueError
+
+
+def test_rotations_of_a_file_are_scaled_to_length_1():
+    turns = np.array([[0.0, 0.0, 3.0, 4.0], [0.1, -0.1, 0.1, 0.1]])
+    unit = unit_quaternions(turns)
+    assert unit.tolist() == [pytest.approx([0, 0, 0.6, 0.8]), pytest.approx([0.5, -0.5, 0.5, 0.5])]
 
 
 def test_forged_times_take_no_memory(tmp_path):
