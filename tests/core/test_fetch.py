@@ -330,6 +330,14 @@ def test_a_damaged_member_or_an_unknown_style_is_refused(root, server, tmp_path,
     assert known["styles"] == [ALL[0]]
 
 
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a device that is always full")
+def test_a_disk_that_is_full_during_a_download_is_named(server, tmp_path):
+    (tmp_path / "it.zip.part").symlink_to("/dev/full")
+    with pytest.raises(OSError, match=r"cannot be written \(No space") as error:
+        download.download(server.url, tmp_path / "it.zip", known=True)
+    assert error.value.filename == str(tmp_path / "it.zip.part")
+
+
 def test_a_wrong_checksum_is_refused_and_the_file_removed(root, server, capsys):
     right, wrong = server.content, bytearray(server.content)
     wrong[-1] ^= 1

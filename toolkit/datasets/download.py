@@ -16,6 +16,7 @@ import requests
 import urllib3
 from tqdm.utils import CallbackIOWrapper
 
+from toolkit.io.files import naming
 from toolkit.io.progress import progress_bar
 
 STALL = 30.0  # seconds without a connection or a byte after which a try has failed
@@ -169,7 +170,7 @@ def download(url: str, target: Path, known: bool, progress: bool = False) -> Non
     What came before is kept as ``TARGET.part``.
     """
     part = target.with_name(f"{target.name}.part")
-    with RemoteFile(url, known) as remote, part.open("ab") as file:
+    with RemoteFile(url, known) as remote, naming(part), part.open("ab") as file:
         have = remote.seek(file.tell())
         with progress_bar(initial=have, total=remote.size, unit="B", unit_scale=True,
                           desc="download", show=progress) as bar:
@@ -227,7 +228,7 @@ def unpack(opened: zipfile.ZipFile, chosen: dict[str, zipfile.ZipInfo], folder: 
     with progress_bar(total=size, unit="B", unit_scale=True, desc="unpack", show=progress) as bar:
         for path, info in missing.items():
             path.parent.mkdir(parents=True, exist_ok=True)
-            with opened.open(info) as packed, path.open("wb") as plain:
+            with naming(path), opened.open(info) as packed, path.open("wb") as plain:
                 shutil.copyfileobj(packed, CallbackIOWrapper(bar.update, plain, "write"), 1 << 20)
 
 

@@ -105,6 +105,18 @@ def table(path: str | os.PathLike, columns: Iterable[str]) -> list[tuple[int, di
 
 
 @contextlib.contextmanager
+def naming(path: Path, *others: Path) -> Iterator[None]:
+    """An OSError of writing names ``path``, also where it names no file or one of ``others``."""
+    try:
+        yield
+    except OSError as error:
+        if error.errno and error.filename in (None, *map(str, (path, *others))):
+            why = f"cannot be written ({error.strerror})"
+            raise OSError(error.errno, why, str(path)) from error
+        raise
+
+
+@contextlib.contextmanager
 def atomic_write(path: str | os.PathLike) -> Iterator[BinaryIO]:
     """Open a binary file under a hidden name, and rename it when it is complete and on the disk.
 
@@ -116,21 +128,17 @@ def atomic_write(path: str | os.PathLike) -> Iterator[BinaryIO]:
     path.parent.mkdir(parents=True, exist_ok=True)
     partial = path.with_name(f".{path.name}.{uuid.uuid4().hex[:8]}.partial")
     try:
-        older = path.stat() if path.exists() else None
-        if older and not stat.S_ISREG(older.st_mode):
-            raise OSError(*NO_FILE, str(path))
-        with partial.open("xb") as file:
-            if older:
-                partial.chmod(stat.S_IMODE(older.st_mode))
-            yield file
-            file.flush()
-            os.fsync(file.fileno())
-        os.replace(partial, path)
-    except OSError as error:
-        if error.errno and error.filename in (None, str(partial), str(path)):
-            why = f"cannot be written ({error.strerror})"
-            raise OSError(error.errno, why, str(path)) from error
-        raise
+        with naming(path, partial):
+            older = path.stat() if path.exists() else None
+            if older and not stat.S_ISREG(older.st_mode):
+                raise OSError(*NO_FILE, str(path))
+            with partial.open("xb") as file:
+                if older:
+                    partial.chmod(stat.S_IMODE(older.st_mode))
+                yield file
+                file.flush()
+                os.fsync(file.fileno())
+            os.replace(partial, path)
     finally:
         partial.unlink(missing_ok=True)
 
