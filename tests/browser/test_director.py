@@ -10,7 +10,7 @@ import torch
 import toolkit as tk
 from toolkit import runtime
 from toolkit.extra.characters.character import Character
-from toolkit.extra.shots import director, pins
+from toolkit.extra.shots import director, reaching
 
 from .conftest import SIZES
 
@@ -174,7 +174,8 @@ def test_the_same_shots_give_the_same_courses_motion_and_words(desk, double, nam
         assert found[what] == pytest.approx(values, abs=1e-9), what
     states = tk.shots.Scene([shot]).states(model, bank)
     clip = runtime.record(model, states, feet=shot.feet, arms=shot.arms)
-    turns, root = pins.pinned(clip.skeleton, clip.rotations, clip.root_positions, shot.pins, course)
+    turns, root = reaching.pinned(clip.skeleton, clip.rotations, clip.root_positions, shot.pins,
+                                  course)
     clip = dataclasses.replace(clip, rotations=turns, root_positions=root)
     assert apart(clip, found["motion"]) < 1.0
     said = shot.check(model, bank)

@@ -15,7 +15,16 @@ import traitlets
 
 from toolkit.evaluation import findings
 from toolkit.extra import shots
-from toolkit.extra.shots import Scene, Shot, apart, feasibility, following, pins, scene
+from toolkit.extra.shots import (
+    Scene,
+    Shot,
+    apart,
+    feasibility,
+    following,
+    pins,
+    reaching,
+    scene,
+)
 from toolkit.motion import Clip, Skeleton
 from toolkit.view.frontend import CellWidget, static
 from toolkit.view.pages import live_page, page
@@ -114,8 +123,8 @@ def pack(model, bank, half: bool = False, character: Figure | None = None) -> di
         "course": constants(following),
         "limits": constants(feasibility),
         "apart": constants(scene) | constants(apart),
-        "pins": constants(pins),
-        "figure": pins.figure(model.layout.skeleton),
+        "pins": constants(pins) | constants(reaching),
+        "figure": reaching.figure(model.layout.skeleton),
         "joints": list(model.layout.skeleton.names),
         "gate": gate(model.layout.skeleton),
     }

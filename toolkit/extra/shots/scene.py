@@ -17,7 +17,7 @@ from torch import Tensor
 from toolkit.extra.shots import apart as avoidance, following
 from toolkit.extra.shots.following import FPS, LEAD, LONGEST, Course, Heading, Pair, nearest
 from toolkit.extra.shots.keys import StyleKey, entries, number, pair
-from toolkit.extra.shots.pins import pinned
+from toolkit.extra.shots.reaching import pinned
 from toolkit.extra.shots.shot import Shot, parse, read, save
 from toolkit.extra.shots.walking import first
 from toolkit.motion import Clip

@@ -12,7 +12,7 @@ from itertools import pairwise
 import torch
 from torch import Tensor
 
-from toolkit.extra.shots import feasibility, following, pins
+from toolkit.extra.shots import feasibility, following, pins, reaching
 from toolkit.extra.shots.following import FPS, LONGEST, Course, Curve, Heading, Pair
 from toolkit.extra.shots.keys import (
     FAST,
@@ -181,7 +181,7 @@ class Shot:
         skeleton = model.layout.skeleton
         with torch.no_grad():
             drawn = pose(model, states, feet=self.feet, arms=self.arms)
-            drawn = pins.pinned(skeleton, *drawn, self.pins, course)
+            drawn = reaching.pinned(skeleton, *drawn, self.pins, course)
         return Clip(skeleton, *drawn, FPS, name=self.name)
 
     def _walked(self, model, bank: StyleBank, plan: tuple[Course, Heading]) -> CharacterState:

@@ -1,6 +1,6 @@
-// Hands, feet, the look and the pose of a walking character, pinned at times (shots/pins.py, whose functions these are).
+// Hands, feet, the look and the pose of a walking character, pinned at times (shots/pins.py and reaching.py, whose functions these are).
 //
-// rules: the constants of pins.py, and FPS; body: see pose.js; figure: {spine, neck: [joint], arms: [[shoulder, elbow, hand]], facing, names},
+// rules: the constants of both, and FPS; body: see pose.js; figure: {spine, neck: [joint], arms: [[shoulder, elbow, hand]], facing, names},
 // right before left. A pin: {at, to, right_hand, left_hand, right_foot, left_foot, look, pose}, null where there is none.
 import { unit } from "./frame.js";
 import { across, between, cross, dot, kinematics, minus, multiply, plus, rotate, twoBone } from "./pose.js";
