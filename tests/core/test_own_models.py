@@ -1,6 +1,7 @@
 """Models of one's own (`toolkit.networks.Predictor`): the four of examples/models."""
 
 import runpy
+import sys
 from pathlib import Path
 
 import pytest
@@ -8,6 +9,7 @@ import torch
 
 import toolkit as tk
 from toolkit import registry
+from toolkit.__main__ import main
 from toolkit.networks import Sizes
 from toolkit.training import Config
 
@@ -78,3 +80,27 @@ def test_gradients_go_through_frames_that_are_fed_back(run):
     assert bool(gradient.isfinite().all())
     assert float(gradient.abs().max()) > 0
     assert not tk.runtime.start(run.model, run.bank["Zombie"]).joints.requires_grad
+
+
+def test_the_command_line_trains_a_model_of_ones_own_and_walks_with_it(
+        tmp_path, monkeypatch, capsys):
+    folder = tmp_path / "my files"
+    folder.mkdir()
+    (folder / "my_gru.py").write_bytes((EXAMPLES / "gru.py").read_bytes())
+    monkeypatch.setattr(sys, "path", sys.path.copy())
+    monkeypatch.chdir(tmp_path)
+    words = ["train", "--data", "procedural", "--styles", "Neutral", "--gaits", "FW",
+             "--clip-seconds", "12", "--small", "--epochs", "0.5", "--refit", "0", "--out", "g.st"]
+    assert main([*words, "--model", "my files/none.py:gru"]) == 2
+    assert "there is no file my files/none.py" in capsys.readouterr().err
+    with pytest.raises(SystemExit, match="0"):
+        main([*words, "--model", "my files/my_gru.py:gru"])
+    monkeypatch.delitem(registry._found, "model.gru")
+    walk = ["rollout", "--style", "Neutral", "--seconds", "0.1", "--out", "walk.bvh", "--model"]
+    assert main([*walk, "g.st"]) == 2
+    assert "name it before the file: my_gru:g.st" in capsys.readouterr().err
+    monkeypatch.delitem(sys.modules, "my_gru")
+    with pytest.raises(SystemExit, match="0"):
+        main([*walk, "my_gru:g.st"])  # the folder is known by now
+    monkeypatch.delitem(registry._found, "model.gru")
+    monkeypatch.delitem(sys.modules, "my_gru")

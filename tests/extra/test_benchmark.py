@@ -74,6 +74,14 @@ def test_scores_repeat_and_name_what_they_were_measured_with(clips, tmp_path, ca
     again = score(read, Judges.load(), "")
     for row, values in again.rows.items():
         assert [v if math.isfinite(v) else None for v in values] == held["rows"][row]
+    other = tmp_path / "old.json"
+    other.write_text(out.read_text().replace('"judges sha256": "', '"judges sha256": "0'))
+    assert main(["benchmark", "table", str(out), str(other), "--out", "x.tex"]) == 2
+    assert "cannot be compared: their judges sha256 differ" in capsys.readouterr().err
+    table = out.with_suffix(".tex")
+    with pytest.raises(SystemExit, match="0"):
+        main(["benchmark", "table", str(out), "--out", str(table)])
+    assert f"jerk & {held['rows']['jerk'][0]:.3g} & " in table.read_text()
     with pytest.raises(ValueError, match="no clips to score"):
         score({}, Judges.load(), "none")
     # before the work, not after it

@@ -3,11 +3,13 @@
 import json
 
 import pytest
+import torch
 import traitlets
 
 import toolkit as tk
 from toolkit import __main__ as line
 from toolkit.extra.shots import Shot, director
+from toolkit.networks.bank import StyleBank
 from toolkit.view import Director
 
 
@@ -48,11 +50,18 @@ def test_an_unknown_style_is_refused_before_anything_is_written(tmp_path):
     assert not list(tmp_path.iterdir())
 
 
-def test_another_model_is_refused_in_one_line():
+def test_another_model_is_refused_in_a_notebook_and_recorded_in_a_page(tmp_path):
     model, bank = tk.pretrained()
     other = tk.networks.build("pfnn-film", model.layout, 2, model.sizes)
     with pytest.raises(ValueError, match="only lpn-film runs in a page, got pfnn-film"):
         Director(other, bank)
+    # a page plays what Python renders of it
+    few, vectors = bank.names[:2], torch.zeros(2, other.style_size)
+    shot = Shot([(0, 0), (0, 1)], few[0], name="to the door", duration=0.2)
+    found = director.web(other, StyleBank(few, vectors), tmp_path / "desk.html", [shot])
+    text = found.read_text(encoding="utf-8")
+    assert "Recorded shots: the model pfnn-film cannot run in a page." in text
+    assert "to the door" in text
 
 
 def test_the_command_line_writes_a_page_of_a_file(tmp_path):

@@ -56,9 +56,16 @@ def evaluate(
     if out.suffix == ".json":
         rows = [{name: _finite(value) for name, value in row.items()} for row in table.rows]
         text = json.dumps({"rows": rows, "notes": table.notes}, indent=1) + "\n"
+        write_whole(out, text.encode())
     else:
-        frame = table.frame()
-        text = frame.to_csv() if out.suffix == ".csv" else frame.to_latex(float_format="%.3g")
+        write_table(table, out)
+
+
+def write_table(table: evaluation.table.Report, out: Path) -> None:
+    """Write CSV or, for the ending .tex, LaTeX for the package booktabs."""
+    frame = table.frame()
+    text = frame.to_csv() if out.suffix == ".csv" else frame.to_latex(
+        float_format="%.3g", na_rep="--", escape=True)
     write_whole(out, text.encode())
 
 

@@ -1,4 +1,4 @@
-"""The verb `train`: any of the seven models on a dataset or a store."""
+"""The verb `train`: a model on a dataset or a store."""
 
 import math
 from pathlib import Path
@@ -37,7 +37,9 @@ def train(
     mirror: Mirror = False,
     listed: Listed = False,
     clip_seconds: ClipSeconds = None,
-    model: Annotated[str, typer.Option(help=f"One of {', '.join(networks.MODELS)}.")] = "lpn-film",
+    model: Annotated[str, typer.Option(
+        help=f"One of {', '.join(networks.MODELS)}; or MODULE:NAME, a model of your own that a "
+             "module or a Python file registers.")] = "lpn-film",
     minutes: Annotated[float | None, typer.Option(help="Time budget of the training.")] = None,
     epochs: Annotated[float | None, typer.Option(
         help="Passes over the shortest style; 90 in the paper.")] = None,
@@ -65,8 +67,8 @@ def train(
     if minutes is not None:
         budget["seconds"] = 60 * minutes
     config = (training.Config.quick if small else training.Config)(
-        **budget, model=model, patience=patience, refit=refit, seed=seed, device=device,
-        processes=processes, precision=precision)
+        **budget, model=networks.imported(model), patience=patience, refit=refit, seed=seed,
+        device=device, processes=processes, precision=precision)
     saving.check(out, ())
     # before the data, so that all processes read them at once; only one of them talks and writes
     first = distributed.start(config.device, config.processes).global_rank == 0

@@ -42,7 +42,8 @@ LONGEST = 1000  # letters of an error, which may quote a file or an argument
 Published = Annotated[Path | None, typer.Option(
     "--published", help="Folder of the published parameters, or lpn-film-100style once fetched.")]
 TrainedRun = Annotated[Path | None, typer.Option(
-    "--model", help="File of a trained model, or procedural (the default), or recorded.")]
+    "--model", help="File of a trained model, or procedural (the default), or recorded; "
+                      "MODULE:FILE for a model of your own.")]
 Root = Annotated[Path | None, typer.Option(help="Folder that holds the dataset.")]
 Selection = Annotated[Names | None, typer.Option(
     parser=Names, metavar="A,B,…", help="Names to use; by default all.")]

@@ -9,12 +9,12 @@ from toolkit.networks.experts import BlendedLinear, CatmullRom, Experts, Gating,
 from toolkit.networks.film import Film, FilmGenerator, layer_norm
 from toolkit.networks.model import MODELS, Model
 from toolkit.networks.parameter_counts import Row, counts, table2
-from toolkit.networks.predictor import Predictor, Sizes, build, register
+from toolkit.networks.predictor import Predictor, Sizes, build, imported, register
 
 __all__ = ["MODELS", "BlendedLinear", "CatmullRom", "Experts", "Film", "FilmGenerator", "Gating",
            "Model", "OneHot", "Predictor", "ResidualAdapter", "Row", "Sizes", "StyleTable",
-           "VelocityGating", "bank", "build", "counts", "layer_norm", "normalisers",
-           "register", "table2"]
+           "VelocityGating", "bank", "build", "counts", "imported", "layer_norm",
+           "normalisers", "register", "table2"]
 
 
 def normalisers(name: str, data: Features) -> dict[str, Normaliser]:

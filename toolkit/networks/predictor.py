@@ -6,8 +6,11 @@
 import contextlib
 import dataclasses
 import os
+import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from importlib import import_module
+from pathlib import Path
 from typing import Any
 
 import torch
@@ -244,7 +247,8 @@ class Predictor(nn.Module):
         if name not in registry.names("model"):
             module = str(d.get("module", "unknown"))
             raise ValueError(f"{path}: it holds a model {name!r}, which is not registered; import "
-                             f"the module that registers it, {module!r}, before you load the file")
+                             f"the module that registers it, {module!r}, before you load the file; "
+                             f"in a command, name it before the file: {module}:{path}")
         expected = stored if layout is None else dataclasses.replace(layout, phase=stored.phase)
         if why := stored.difference(expected):
             raise ValueError(f"{path}: the layout is not the expected one: {why}")
@@ -268,6 +272,33 @@ def register(name: str) -> Callable[[Any], Any]:
         return part
 
     return registered
+
+
+def imported(given: str) -> str:
+    """What stands after the last colon of ``MODULE:NAME``, once that module was imported.
+
+    The module may be a Python file. Modules are looked up in the current folder, too. Without a
+    colon nothing is imported.
+
+    Raises
+    ------
+    ValueError
+        If there is no such file, or a module of its name was imported from elsewhere.
+    """
+    place, _, name = given.rpartition(":")
+    if len(place) < 2:  # C:\\ is a drive
+        return given
+    folder, module = os.path.split(os.path.abspath(place))
+    file = Path(folder, module).resolve() if module.endswith(".py") else None
+    if file and not file.is_file():
+        raise ValueError(f"{given}: there is no file {place}")
+    if folder not in sys.path:
+        sys.path.insert(0, folder)
+    found = import_module(module.removesuffix(".py"))
+    if file and Path(found.__file__ or "").resolve() != file:
+        raise ValueError(f"{given}: a module {found.__name__} is there already, "
+                         f"{found.__file__}; give your file another name")
+    return name
 
 
 def build(name: str, layout: Layout, n_styles: int, sizes: Sizes | None = None,

@@ -13,7 +13,7 @@ import torch
 from toolkit import registry
 from toolkit.io import model_files
 from toolkit.motion.tensors import summary
-from toolkit.networks import Predictor, Sizes
+from toolkit.networks import Predictor, Sizes, imported
 from toolkit.networks.bank import StyleBank
 from toolkit.training.loss import STEPS
 
@@ -285,11 +285,14 @@ def pretrained(name: str = "procedural") -> Run:
 
 
 def model_file(given: str | os.PathLike) -> Path:
-    """The file of a model that a command names: ``procedural``, ``recorded``, or a path."""
+    """The file of a model that a command names: ``procedural``, ``recorded``, or a path.
+
+    Of ``MODULE:FILE`` the module, which registers a model of one's own, is imported.
+    """
     if str(given) == "procedural":
         return PROCEDURAL
     if str(given) != "recorded":
-        return Path(given)
+        return Path(imported(str(given)))
     if not RECORDED.exists():
         raise FileNotFoundError(
             f"{RECORDED}: the recorded model is not part of the package (CC BY-NC 4.0); it is in "

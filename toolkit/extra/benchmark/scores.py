@@ -5,7 +5,7 @@ import json
 import math
 import os
 import platform
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -15,10 +15,11 @@ import toolkit
 from toolkit.evaluation import findings
 from toolkit.evaluation.metrics import sets
 from toolkit.evaluation.metrics.bodies import hips_path
-from toolkit.evaluation.table import CLIP, Statistic, average, interval, of_styles
+from toolkit.evaluation.table import CLIP, Report, Statistic, average, interval, of_styles
 from toolkit.extra.benchmark import tracks
 from toolkit.extra.benchmark.judges import KINDS, Judges
 from toolkit.io.files import write_whole
+from toolkit.io.model_files import intact
 from toolkit.motion import Clip
 from toolkit.motion.trajectory import FPS
 
@@ -48,6 +49,29 @@ class Scores:
                 for row, values in self.rows.items()}
         text = json.dumps({"name": self.name, "about": self.about, "rows": rows}, indent=1)
         write_whole(Path(path), (text + "\n").encode())
+
+    @classmethod
+    def load(cls, path: str | os.PathLike) -> "Scores":
+        """Read what `save` wrote; ValueError for any other file."""
+        with intact(path, "scores of StyleWalk"):
+            stored = json.loads(Path(path).read_text(encoding="utf-8"))
+            rows = {row: tuple(math.nan if value is None else float(value) for value in values)
+                    for row, values in stored["rows"].items()}
+            return cls(str(stored["name"]), rows, dict(stored["about"]))
+
+
+def table(scored: Sequence[Scores]) -> Report:
+    """One table of several methods; ValueError unless plan and judges were the same for all."""
+    first = scored[0]
+    for what in ("plan sha256", "judges sha256"):
+        for other in scored[1:]:
+            if other.about.get(what) != first.about.get(what):
+                raise ValueError(f"{first.name} and {other.name} cannot be compared: their "
+                                 f"{what} differ")
+    rows = [{"data": one.name, "n": one.about["clips"]}
+            | {row: value for row, (value, *_) in one.rows.items()} for one in scored]
+    intervals = {one.name: {row: ends for row, (_, *ends) in one.rows.items()} for one in scored}
+    return Report(rows, list(first.rows), [], intervals)
 
 
 def score(clips: Mapping[str, Clip], judges: Judges, name: str,

@@ -1,11 +1,13 @@
 """The verbs `benchmark run` and `benchmark score`."""
 
+import dataclasses
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from toolkit.cli import motion_files
+from toolkit.cli.evaluate import write_table
 from toolkit.cli.verbs import Published, Roles, Unit, Up, say
 from toolkit.datasets import folder as own
 from toolkit.extra import benchmark
@@ -23,7 +25,8 @@ Out = Annotated[Path | None, typer.Option(help="JSON file for the scores.")]
 @app.command()
 def run(
     model: Annotated[Path | None, typer.Argument(
-        help="File of a model, or procedural (the default), or recorded.")] = None,
+        help="File of a model, or procedural (the default), or recorded; MODULE:FILE for a model "
+             "of your own.")] = None,
     parameters: Published = None,
     judges: Judging = None,
     out: Out = None,
@@ -62,6 +65,17 @@ def score(
     clips = {path.stem: motion_files.read(path, unit, up, roles) for path in paths}
     files = {"judges": judges or benchmark.judges.FILE}
     _tell(benchmark.score(clips, judging, folder.name, files), out)
+
+
+@app.command()
+def table(
+    files: Annotated[list[Path], typer.Argument(help="Files that run and score wrote.")],
+    out: Annotated[Path, typer.Option(help="File for the table: .tex or .csv.")],
+) -> None:
+    """Write one table of several methods, which the stems of the files name."""
+    saving.check(out, (".tex", ".csv"))
+    scored = [dataclasses.replace(benchmark.Scores.load(file), name=file.stem) for file in files]
+    write_table(benchmark.table(scored), out)
 
 
 def _check(out: Path | None) -> None:

@@ -107,9 +107,16 @@ def web(model, bank, path: str | os.PathLike, shots: Iterable[Shot] | Scene | No
     """Write a page with the `Director`, without server or Python; shots are saved to and opened
     from files.
 
-    The parameters are those of `Director` and `toolkit.view.web`.
+    The parameters are those of `Director` and `toolkit.view.web`. Of a model that does not run in a
+    page, the page plays the shots as Python renders them, nine at most, and says so.
     """
     bank = bank.select(dict.fromkeys(live_page.ordered(bank) if styles is None else styles))
+    if not live_page.runs(model):
+        made = Scene.parse(first(bank, shots))
+        labels = [shot.name or f"shot {k + 1}" for k, shot in enumerate(made.shots)]
+        caption = f"Recorded shots: the model {model.name} cannot run in a page."
+        return page.html(made.render(model, bank), path, title=title, caption=caption,
+                         labels=labels, character=character)
     data = pack(model, bank, half, figure_of(character)) | {"scene": first(bank, shots)}
     caption = "Draw a path, key styles over time; the character walks it at once, in this page."
     script = "globalThis.view = toolkitScene.director(stage, data);"

@@ -113,8 +113,8 @@ def pack(model, bank, half: bool = False, character: Figure | None = None,
          characters: int = 1) -> dict[str, Any]:
     """The data of ``scene/character.js``, which describes the format; of an LPN-FiLM alone."""
     if not runs(model):
-        raise ValueError(f"only lpn-film runs in a page, got {model.name}; Shot.render and "
-                         "runtime.rollout take any model")
+        raise ValueError(f"only lpn-film runs in a page, got {model.name}; Shot.render, web "
+                         "and Controller take any model")
 
     layout: Layout = model.layout
     state, walk = runtime.start(model, bank.vectors[0]), example(model, bank)
