@@ -20,7 +20,7 @@ from toolkit.extra.benchmark import Judges, score, walk
 from toolkit.features import split_joints
 from toolkit.motion import Clip
 from toolkit.networks.phase import advance
-from toolkit.runtime.frame import _to_frame as to_frame
+from toolkit.runtime.frame import to_frame
 from toolkit.training import Run
 
 GAITS = "walk", "run"

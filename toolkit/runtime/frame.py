@@ -183,7 +183,7 @@ def predicted(model, state: CharacterState, command: Command) -> CharacterState:
     position[:, toes, 1] += swing * in_the_air * (height - GROUND).clamp_min(0.0)
 
     # The same pose, seen from the new root.
-    joints = _to_frame(_orthonormal(pack_joints(**now | {"position": position})), root, new_root)
+    joints = to_frame(_orthonormal(pack_joints(**now | {"position": position})), root, new_root)
 
     # Phase: it stops while the character stands on both feet.
     phase = advance(layout, state.phase, out)
@@ -322,7 +322,7 @@ def _orthonormal(joints: Tensor) -> Tensor:
     return pack_joints(**parts | {"forward": forward, "up": up})
 
 
-def _to_frame(joints: Tensor, old: Tensor, new: Tensor) -> Tensor:
+def to_frame(joints: Tensor, old: Tensor, new: Tensor) -> Tensor:
     """A pose in the root frame ``old`` seen from the root frame ``new`` (world, ``[B, 4]``)."""
     parts = split_joints(joints)
     turn = R.yaw(torch.atan2(old[:, 2], old[:, 3]) - torch.atan2(new[:, 2], new[:, 3]))[:, None]
