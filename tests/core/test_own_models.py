@@ -99,6 +99,9 @@ def test_the_command_line_trains_a_model_of_ones_own_and_walks_with_it(
     walk = ["rollout", "--style", "Neutral", "--seconds", "0.1", "--out", "walk.bvh", "--model"]
     assert main([*walk, "g.st"]) == 2
     assert "name it before the file: my_gru:g.st" in capsys.readouterr().err
+    (tmp_path / "no:model.st").touch()  # a file whose name has a colon is no module
+    assert main([*walk, "no:model.st"]) == 2
+    assert "no:model.st" in capsys.readouterr().err
     monkeypatch.delitem(sys.modules, "my_gru")
     with pytest.raises(SystemExit, match="0"):
         main([*walk, "my_gru:g.st"])  # the folder is known by now

@@ -278,7 +278,7 @@ def imported(given: str) -> str:
     """What stands after the last colon of ``MODULE:NAME``, once that module was imported.
 
     The module may be a Python file. Modules are looked up in the current folder, too. Without a
-    colon nothing is imported.
+    colon, or for a file with one in its name, nothing is imported.
 
     Raises
     ------
@@ -286,7 +286,7 @@ def imported(given: str) -> str:
         If there is no such file, or a module of its name was imported from elsewhere.
     """
     place, _, name = given.rpartition(":")
-    if len(place) < 2:  # C:\\ is a drive
+    if len(place) < 2 or Path(given).exists():  # C:\\ is a drive; a file may have a colon
         return given
     folder, module = os.path.split(os.path.abspath(place))
     file = Path(folder, module).resolve() if module.endswith(".py") else None
