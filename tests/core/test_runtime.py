@@ -382,14 +382,17 @@ def test_future_directions_turn_towards_the_command_by_the_weight_of_their_time(
     assert angles == pytest.approx(expected, abs=1e-6)
 
 
-def test_a_character_that_drifts_while_it_should_stand_is_steered_back(replayed):
+@pytest.mark.parametrize("asked", [0.0, 0.3])
+def test_a_character_that_drifts_is_steered_back_unless_it_was_asked_to_move(replayed, asked):
+    """In a sharp turn, the way before it is no drift."""
     state = runtime.start(replayed[0], torch.zeros(1))
     drifted = state.history.clone()
     drifted[0, :, 1] = torch.linspace(-0.3, 0.0, 61)  # 0.3 m/s
-    state = dataclasses.replace(state, history=drifted)
+    state = dataclasses.replace(state, history=drifted, asked=torch.tensor([[0.0, asked]]))
     future = runtime.steering.steer(state, runtime.Command(), (0, 10, 20, 30, 40, 50)).future
+    asked *= 14 / 15  # after one frame
     shares = [1 - (1 - k / 5) ** 0.75 * (1 - 1 / 36) for k in range(6)]  # after one frame of rest
-    steps = [0.0, *(-3.0 * 0.3 / 6 * share for share in shares[1:])]
+    steps = [0.0, *(3.0 * (asked - 0.3) / 6 * share for share in shares[1:])]
     expected = [sum(steps[: k + 1]) for k in range(6)]
     assert future[0, :, 1].tolist() == pytest.approx(expected, abs=1e-5)
 

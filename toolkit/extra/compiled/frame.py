@@ -121,13 +121,14 @@ def steer(old, wanted, look, rules, x, new, start, stop):
         rest = min(max(np.float64(old.rest[b, 0]) + pace, 0.0), 1.0)
         new.rest[b, 0] = rest
 
-        # the velocity that the trajectory is pulled to, which opposes a false one
+        # the target velocity, which opposes a false one
         moved = _moved(history, len(history) - 1, rules)
         still = 1.0 - min(math.hypot(vx, vz) / rules.slow, drive / rules.low)
         hold = rules.stand_still * max(still, 0.0)
         across = _straighten(old, b, (vx, vz), rules, new)
-        pull_x = drive * vx + hold * (vx - moved[0]) + across[0]
-        pull_z = drive * vz + hold * (vz - moved[1]) + across[1]
+        asked = _pair(new.asked[b])
+        pull_x = drive * vx + hold * (asked[0] - moved[0]) + across[0]
+        pull_z = drive * vz + hold * (asked[1] - moved[1]) + across[1]
 
         # the future trajectory, step by step from the root
         root_x, root_z = _pair(history[-1])

@@ -87,7 +87,7 @@ export function steer(old, command, rules, x, next) {
 
   const slow = rules.stand_still * Math.max(1 - Math.min(speed / rules.slow, drive / rules.low), 0);
   const across = straighten(old, velocity, rules, next), now = moved(history, 0, rules);
-  const pull = velocity.map((v, i) => drive * v + slow * (v - now[i]) + across[i]);
+  const pull = velocity.map((v, i) => drive * v + slow * (next.asked[i] - now[i]) + across[i]);
   const rootX = history[here], rootZ = history[here + 1], sin = history[here + 2], cos = history[here + 3];
   let px = rootX, pz = rootZ;
   bent.set(history.subarray(here));
