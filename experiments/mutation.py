@@ -1,17 +1,24 @@
 """Mutants: one small fault planted in the code, and do the tests see it?"""
 
 import ast
+import contextlib
+import importlib
+import json
 import os
 import random
 import shutil
-import subprocess
+import signal
 import sys
 import tempfile
 import time
 from pathlib import Path
 from typing import Annotated
 
+import pytest
 import typer
+from tqdm import tqdm
+
+from experiments import tables
 
 HERE = Path(__file__).parents[1]
 #: Sources, and the tests that should see a fault in them; names that a checkout lacks are passed.
@@ -27,9 +34,30 @@ GROUPS = {
               "runtime compiled"),
     "losses": ("training/loss.py stylization/losses.py", "training stylization"),
     "measures": ("evaluation/metrics/*.py evaluation/findings.py", "metrics report findings"),
-    "shots": ("extra/shots/*.py", "shots director"),
+    "shots": ("extra/shots/*.py", "shots"),
     "readers": ("io/bvh.py io/bvh_text.py extra/formats/*.py",
                 "bvh bvh_roundtrip readers inspection interpretation"),
+}
+#: Packages that the tests import, and the names of ours, which a mutant imports anew.
+HEAVY = ("torch", "numba", "scipy.optimize", "scipy.signal", "scipy.interpolate", "scipy.spatial",
+         "pandas", "matplotlib", "hypothesis.strategies", "safetensors.torch", "ipywidgets")
+OURS = {"toolkit", "experiments", "robustness", "course"}
+COLUMNS = {"group": ["group"], "mutants": ["mutants", 0], "detected": ["detected", 0],
+           "equivalent": ["equivalent", 0], "survivors": ["survivors"]}
+#: Why a mutant that no test sees computes the same, by its line and the change.
+EQUIVALENT = {
+    ("for part in rows.split(1024):", "1024 -> 1025"): "the sum has the same parts",
+    ('errors[style] = dict(zip(("mse", "bone"), (sums / len(rows)).tolist(), strict=True))',
+     "True -> False"): "both have two",
+    ('blocks["trajectory"] = trajectory[:, -(future.stop - future.start) :]',
+     "future.stop - future.start -> future.stop + future.start"): "the start is 0",
+    ("adam = torch.optim.Adam([vector], fused=True)", "True -> False"): "the same formula",
+    ("if len(data) < 20:", "20 -> 21"): "a text of one character is no JSON object",
+    ("slopes = np.repeat(slopes.reshape(-1, 4), counts, axis=0)", "1 -> 2"):
+        "NumPy takes any negative size for the missing one",
+    ('TRACKS = {b"Lcl Translation": (0.0,) * 3, b"Lcl Rotation": (0.0,) * 3, '
+     'b"Lcl Scaling": (1.0,) * 3}', "3 -> 4"): "only the first three are read",
+    ("for _ in range(30):", "30 -> 31"): "Newton takes at most 11 steps",
 }
 NOT_COPIED = shutil.ignore_patterns(".git", ".venv", "out", "build", "__pycache__", ".*_cache")
 OPPOSITE = {
@@ -78,26 +106,69 @@ def mutate(node: ast.AST) -> str:
     return f"{before} -> {ast.unparse(node)}"
 
 
-def tests_pass(copy: Path, names: str, limit: float) -> bool:
-    """Whether the tests of a group pass in a copy of the repository; too slow is a failure."""
-    files = [path for name in names.split() for path in (copy / "tests").rglob(f"test_{name}.py")]
-    path = os.pathsep.join(str(copy / part) for part in (".", "tests", "notebooks"))
-    environment = os.environ | {"PYTHONPATH": path, "OMP_NUM_THREADS": "1"}
-    command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *files]
-    try:
-        done = subprocess.run(command, cwd=copy, env=environment, capture_output=True,
-                              timeout=limit)
-    except subprocess.TimeoutExpired:
-        return False
-    return done.returncode == 0
+class Quickest:
+    """For pytest: the tests run in the order of their seconds in a file, or write that file."""
+
+    def __init__(self, times: Path):
+        self.times, self.known = times, json.loads(times.read_bytes()) if times.exists() else {}
+        self.seconds: dict[str, float] = {}
+
+    @pytest.hookimpl(trylast=True)
+    def pytest_collection_modifyitems(self, items: list) -> None:
+        items.sort(key=lambda item: self.known.get(item.nodeid, 0.0))
+
+    def pytest_runtest_logreport(self, report) -> None:
+        self.seconds[report.nodeid] = self.seconds.get(report.nodeid, 0.0) + report.duration
+
+    def pytest_sessionfinish(self) -> None:
+        if not self.known:
+            self.times.write_text(json.dumps(self.seconds))
+
+
+def tests_pass(copy: Path, group: str, limit: float) -> bool:
+    """Whether the tests of a group pass in a copy of the repository; too slow is a failure.
+
+    They run in a fork of this process, which has imported what takes long.
+    """
+    files = [str(path) for name in GROUPS[group][1].split()
+             for path in (copy / "tests").rglob(f"test_{name}.py")]
+    child = os.fork()
+    if not child:
+        status = 1
+        try:
+            os.setsid()
+            os.chdir(copy)
+            os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+            os.dup2(1, 2)
+            os.environ["OMP_NUM_THREADS"] = "1"
+            os.environ.pop("TOOLKIT_DATA", None)
+            paths = [str(copy / part) for part in (".", "tests", "notebooks")]
+            os.environ["PYTHONPATH"] = os.pathsep.join(paths)
+            sys.path[:0] = paths
+            for name in [name for name in sys.modules if name.split(".")[0] in OURS]:
+                del sys.modules[name]
+            options = ["-x", "-q", "-p", "no:cacheprovider",
+                       "-W", "ignore::pytest.PytestAssertRewriteWarning"]
+            status = pytest.main([*options, *files], [Quickest(copy.parent / f"{group}.json")])
+        finally:
+            os._exit(int(status))
+    ends = time.monotonic() + limit
+    while not (found := os.waitpid(child, os.WNOHANG))[0] and time.monotonic() < ends:
+        time.sleep(0.05)
+    with contextlib.suppress(ProcessLookupError):
+        os.killpg(child, signal.SIGKILL)
+    return (found if found[0] else os.waitpid(child, 0))[1] == 0
 
 
 def survivors(copy: Path, group: str, mutants: int, seed: int, limit: float):
-    """Number of mutants tried in one group, and a list with a line for each that no test saw."""
-    patterns, tests = GROUPS[group]
-    sources = [path for p in patterns.split() for path in sorted((copy / "toolkit").glob(p))]
+    """Number of mutants tried in one group, and a list of those that no test saw.
+
+    Each is the file with the line's number, the line and what changed in it.
+    """
+    sources = [path for pattern in GROUPS[group][0].split()
+               for path in sorted((copy / "toolkit").glob(pattern))]
     began = time.monotonic()
-    if not tests_pass(copy, tests, 10 * limit):
+    if not tests_pass(copy, group, 30 * limit):
         raise ValueError(f"{group}: the tests must pass before the code is mutated")
     limit = max(limit, 3 * (time.monotonic() - began))
     # a place is a file and a number, since each mutant starts from a fresh tree
@@ -105,14 +176,15 @@ def survivors(copy: Path, group: str, mutants: int, seed: int, limit: float):
     everywhere = [(path, i) for path in sources for i in range(counts[path])]
     chosen = random.Random(seed).sample(everywhere, min(mutants, len(everywhere)))
     unseen = []
-    for path, i in chosen:
+    for path, i in tqdm(chosen, desc=group, disable=None):
         text = path.read_bytes()
         tree = ast.parse(text)
         node = places(tree)[i]
         change = mutate(node)
         path.write_text(ast.unparse(tree), encoding="utf-8")
-        if tests_pass(copy, tests, limit):
-            unseen.append(f"{path.relative_to(copy)}:{node.lineno}: {change}")
+        if tests_pass(copy, group, limit):
+            line = text.decode().splitlines()[node.lineno - 1].strip()
+            unseen.append((f"{path.relative_to(copy)}:{node.lineno}", line, change))
         path.write_bytes(text)
     return len(chosen), unseen
 
@@ -123,16 +195,29 @@ def run(
     seed: Annotated[int, typer.Option(help="Seed of their choice.")] = 0,
     root: Annotated[Path, typer.Option(help="The checkout that is tested.")] = HERE,
     limit: Annotated[float, typer.Option(help="Seconds for the tests of a mutant.")] = 120,
+    store: tables.Store = False,
 ) -> None:
     """Plant faults in a copy of the code, one at a time, and count those that the tests detect."""
+    for name in group or GROUPS:
+        if name not in GROUPS:
+            raise ValueError(f"group must be one of {', '.join(GROUPS)}, got {name!r}")
+    for name in HEAVY:
+        importlib.import_module(name)
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder) / "checkout"
         shutil.copytree(root, copy, ignore=NOT_COPIED)
-        print(f"{'group':<12}{'mutants':>9}{'detected':>10}")
         for name in group or GROUPS:
-            if name not in GROUPS:
-                raise ValueError(f"group must be one of {', '.join(GROUPS)}, got {name!r}")
             tried, unseen = survivors(copy, name, mutants, seed, limit)
-            print(f"{name:<12}{tried:>9}{tried - len(unseen):>10}", flush=True)
-            for line in unseen:
-                print(f"    {line}", flush=True)
+            print(f"{name}: {tried} mutants, {len(unseen)} survive", flush=True)
+            left = []
+            for where, line, change in unseen:
+                why = EQUIVALENT.get((line, change))
+                left.append(f"{where}: {change} ({why or 'no test sees it'})")
+                print(f"  {left[-1]}\n    {line}", flush=True)
+            equal = sum((line, change) in EQUIVALENT for _, line, change in unseen)
+            row = {"group": name, "mutants": tried, "detected": tried - len(unseen),
+                   "equivalent": equal, "survivors": "; ".join(left)}
+            if store:
+                tables.Result("mutation", f"Mutants of seed {seed}; tests without recordings.",
+                              "python -m experiments mutation --store", COLUMNS, [row],
+                              {"seed": seed}).add()

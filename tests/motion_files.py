@@ -114,7 +114,8 @@ def table(**values):
                                  for name, value in values.items()])
 
 
-def fbx_scene(models, curves, *, settings=None, version=7400, pack_arrays=True):
+def fbx_scene(models, curves, *, settings=None, other=None, version=7400,
+              pack_arrays=True):
     """A scene of models ``{name: (parent, properties)}`` and of curves.
 
     ``curves`` are ``{(model, property, axis): (times, values, flags, data)}``.
@@ -145,9 +146,10 @@ def fbx_scene(models, curves, *, settings=None, version=7400, pack_arrays=True):
         links.append(("C", ["OP", 5000 + i, nodes[model, what], f"d|{axis}"], []))
     wide = {"UpAxis": [1], "UpAxisSign": [1], "UnitScaleFactor": [1.0],
             "TimeMode": [6]} | (settings or {})
-    return fbx([("GlobalSettings", [], [table(**wide)]), ("Objects", [], objects),
-                ("Connections", [], links)], version,
-               pack_arrays=pack_arrays)
+    said = [(name, [value], []) for name, value in (other or {}).items()]
+    return fbx([("FBXHeaderExtension", [], [("OtherFlags", [], said)]),
+                ("GlobalSettings", [], [table(**wide)]), ("Objects", [], objects),
+                ("Connections", [], links)], version, pack_arrays=pack_arrays)
 
 
 def smpl_walk(seconds=1.0):

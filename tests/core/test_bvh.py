@@ -161,6 +161,14 @@ Frame Time: 0.033333
         load(write(tmp_path, text.replace("9 0 0 0 0 20", "9 0 0 0 0 25")))
 
 
+@pytest.mark.parametrize(("y", "length"), [(0.5, 0.105), (1.5, 0.015)])
+def test_positions_near_zero_are_relative_to_the_offset(tmp_path, y, length):
+    text = GOOD.replace("CHANNELS 3", "CHANNELS 6 Xposition Yposition Zposition")
+    rows = "".join(f"0 90 0 0 0 0 0 {y} 0 0 0 0\n" for _ in range(3))
+    clip = load(write(tmp_path, text[: text.index("0 90 0 0")] + rows))
+    assert clip.skeleton.offsets[1].norm() == pytest.approx(length)
+
+
 @given(
     clip=clips(),
     order=st.sampled_from(["".join(p) for p in itertools.permutations("XYZ")]),

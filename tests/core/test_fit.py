@@ -11,6 +11,7 @@ from hypothesis import given, settings, strategies as st
 import toolkit as tk
 from experiments.speed.fit import best_known
 from toolkit.phases.sinusoids import Sinusoids, fit
+from toolkit.phases.variable_projection import _level, minima
 from toolkit.phases.viterbi import smoothest
 
 FPS = 60.0
@@ -84,6 +85,18 @@ def test_the_sinusoid_is_what_it_says_and_within_its_bounds(walk_clip):
         held["offset"] += away < 1e-12 * scale
         held["frequency"] += found.frequency in (0.25, 4.0)
     assert min(held.values()) >= 2  # every bound is put to the test
+
+
+def test_compiled_loops_stay_within_their_arrays():
+    """Python, which looks at each index, computes the same."""
+    curve, found = np.random.default_rng(3).normal(size=11).cumsum(), np.zeros((2, 5, 3))
+    of = curve, np.full(3, np.ptp(curve)), np.full(3, curve.mean()), np.linspace(0.1, 0.5, 6)
+    minima(*of, found[0])
+    minima.py_func(*of, found[1])
+    assert found[1] == pytest.approx(found[0], rel=1e-9)
+    gains = np.array([1.0, 3.0, 2.0, 5.0, 4.0, 3.0, 3.5])
+    _level(gains, 3)  # a peak down to the valleys beside it
+    assert gains.tolist() == [1.0, 3.0, *[-math.inf] * 4, 3.5]
 
 
 @given(st.floats(1e-6, 1e6), st.floats(-1e3, 1e3))

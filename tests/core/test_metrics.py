@@ -189,6 +189,8 @@ def test_skate_of_a_sliding_figure_computed_by_hand():
         assert found == pytest.approx([smoodi, 1.0, 40 / 41, speed], abs=1e-5)
     half = stick(speed=0.3, lift=0.025 * math.log2(1.5))  # the left toe has the weight 0.5
     assert metrics.skate_rsmt(half) == pytest.approx(0.3 * (1 + 0.5) / 2, rel=1e-4)
+    step = stick(speed=0.3, lift=0.05).cut(0, 2)  # of one toe, once
+    assert metrics.skate_rsmt(step) == pytest.approx(0.3, rel=1e-4)
     assert metrics.skate_kimodo(stick(speed=0.15)) == 0.0
 
 

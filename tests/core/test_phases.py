@@ -292,6 +292,8 @@ def test_the_window_is_that_of_the_highest_peak_of_the_autocorrelation():
         seen.add(round(expected, 3))
     assert 0.5 in seen
     assert len(seen) > 8
+    opposite = torch.tensor([1.0, -1.0, *[0.0] * 13]).repeat(8)  # neighbours, every 1.5 seconds
+    assert windows.half_window(opposite, 10.0) == pytest.approx(1.05 / 2 * 1.5)
 
 
 def test_speed_is_the_root_mean_square_over_a_second():

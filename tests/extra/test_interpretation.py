@@ -281,6 +281,9 @@ def test_a_walker_that_lies_or_stands_on_its_head_is_doubted(tmp_path, walk_clip
         roots = walk_clip.root_positions + torch.tensor([0.0, height, 0.0])
         lying = turned(90.0, 0.0, 0.0).replace(root_positions=roots)
         assert re.search(said, doubts_of(lying, tmp_path))
+    assert "not upright in most frames: y is" in doubts_of(turned(45.0, 0.0, 0.0), tmp_path)
+    doubts_of(turned(75.0, 0.0, 0.0), tmp_path)
+    assert not tk.inspect(tmp_path / "walk.bvh", up="y").upright
 
 
 def recorded(clip: tk.Clip, **changes) -> Recording:

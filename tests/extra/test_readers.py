@@ -398,7 +398,10 @@ def test_fbx_curves_between_keys(tmp_path):
     every = (np.arange(9) / 30, np.arange(9.0), [4] * 9, np.zeros((9, 4)))
     models = {"hips": ("", {}), "spine": ("hips", {"Lcl_Translation": [0.0, 1.0, 0.0]})}
     curves = {("hips", "Lcl Translation", "X"): (times, values, flags, data),
-              ("hips", "Lcl Translation", "Y"): every}
+              ("hips", "Lcl Translation", "Y"): every,
+              # automatic: at the middle key 0.5 · -2 / (8 / 30) + 0.5 · (0.75 · 150 - 0.25 · 60)
+              ("hips", "Lcl Translation", "Z"): (times[[0, 1, 4]], [0.0, 10.0, -2.0], [8] * 3,
+                                                 np.zeros((3, 4)))}
     scene = fbx_scene(models, curves)
     path = written(tmp_path / "b.fbx", scene.replace(b"LimbNode", b"MeshNode"))
     assert fbx_reader.read(path).names == ("hips",)  # no bone, but it moves
@@ -409,6 +412,17 @@ def test_fbx_curves_between_keys(tmp_path):
     expected = [0, 0, 10, 5, 0, third, 20, fourth, 5]
     assert made.root_positions[:, 0].numpy() == pytest.approx(expected, abs=1e-4)
     assert made.root_positions[:, 1].numpy() == pytest.approx(np.arange(9.0), abs=1e-4)
+    between = (0.125 * span * (150 - 45) + 5, 4 + 0.125 * 3 * span * (45 + 60))
+    assert made.root_positions[[1, 5], 2].numpy() == pytest.approx(between, abs=1e-4)
+
+
+@pytest.mark.parametrize(("flag", "second"), [(0, fbx_reader.NEW_SECOND),
+                                              (127, fbx_reader.SECOND)])
+def test_a_flag_says_how_long_the_second_of_an_fbx_file_is(tmp_path, flag, second):
+    times = np.arange(5) / 30 * second / fbx_reader.SECOND
+    curve = {("b", "Lcl Rotation", "X"): (times, np.arange(5.0), [4] * 5, np.zeros((5, 4)))}
+    scene = fbx_scene({"a": ("", {}), "b": ("a", {})}, curve, other={"TCDefinition": flag})
+    assert len(fbx_reader.read(written(tmp_path / "a.fbx", scene)).rotations) == 5
 
 
 def test_fbx_files_that_cannot_be_read(tmp_path):

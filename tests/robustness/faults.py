@@ -46,7 +46,7 @@ SMALL = 50_000  # bytes, largest file on the "full" disk
 NOBODY = 65534  # id of the user who owns nothing
 #: What a process does on an odd machine; it ends with the JSON text of the exit statuses.
 COMMANDS = """
-import json, sys
+import json, pathlib, sys
 from toolkit.__main__ import main
 statuses = []
 for words in (
@@ -64,6 +64,8 @@ for words in (
         statuses.append(main(words.split()))
     except SystemExit as stopped:
         statuses.append(stopped.code or 0)
+left = [str(path) for path in pathlib.Path().rglob(".*.partial")]
+assert not left or sys.argv[2] != "1", left  # another process may still write
 print(json.dumps(statuses))
 """
 #: A clock that goes back an hour at every second look.
@@ -346,6 +348,15 @@ def machines(folder: Path) -> list[Machine]:
         libc.capset((ctypes.c_uint32 * 2)(0x20080522, 0), (ctypes.c_uint32 * 6)(read, read, read))
         libc.prctl(47, 2, 2, 0, 0)  # also in a new program
 
+    def small_disk() -> None:
+        """A disk of its own over the working folder, which no other process sees."""
+        libc, here = ctypes.CDLL(None), os.getcwd()
+        libc.unshare(0x20000)  # CLONE_NEWNS
+        libc.mount(None, b"/", None, 0x44000, None)  # MS_REC | MS_PRIVATE
+        if libc.mount(b"none", here.encode(), b"tmpfs", 0, b"size=200k"):
+            raise OSError("no disk can be mounted")
+        os.chdir(here)
+
     bare = {"LC_ALL": "C", "LANG": None, "HOME": None, "DISPLAY": None, "XDG_CACHE_HOME": None}
     (folder / "sitecustomize.py").write_text(BACK, encoding="utf-8")
     path = os.pathsep.join((str(folder), os.environ.get("PYTHONPATH", "")))
@@ -362,7 +373,8 @@ def machines(folder: Path) -> list[Machine]:
     if hasattr(os, "sched_setaffinity"):
         found.append(Machine("one core", before=lambda: os.sched_setaffinity(0, {0})))
     if not os.getuid():
-        found.append(Machine("another user, read-only install", bare, nobody))
+        found += [Machine("another user, read-only install", bare, nobody),
+                  Machine("disk of 200 kB", before=small_disk)]
     return found
 
 
@@ -372,9 +384,10 @@ def tried(machine: Machine, folder: Path, data: Path) -> dict[str, Any]:
     folder.chmod(0o777)
     changed = {"PYTHONPATH": os.pathsep.join(sys.path)} | machine.environment
     environment = {k: v for k, v in (os.environ | changed).items() if v is not None}
-    running = [subprocess.Popen([sys.executable, "-c", COMMANDS, str(data)], cwd=folder,
-                                env=environment, preexec_fn=machine.before,
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    running = [subprocess.Popen([sys.executable, "-c", COMMANDS, str(data),
+                                 str(machine.copies)], cwd=folder, env=environment,
+                                preexec_fn=machine.before, stdout=subprocess.PIPE,
+                                stderr=subprocess.PIPE)
                for _ in range(machine.copies)]
     row = {"machine": machine.name, "worked": 0, "refused": 0, "said": "", "wrong": ""}
     for process in running:
