@@ -257,6 +257,26 @@ BAD = {
     ),
     "empty": ("", 1, "expected HIERARCHY, got ''"),
     "binary": (bytes(range(256)) * 20, 1, "expected HIERARCHY"),
+    "a joint inside an End Site": (
+        GOOD.replace("OFFSET 0 5 0\n", "OFFSET 0 5 0\nEnd Site {\n}\n"),
+        13,
+        "unexpected End inside an End Site",
+    ),
+    "a name that writes on the terminal": (
+        GOOD.replace("Chest", "Ch\x1b[31mest"),
+        6,
+        "cannot be printed",
+    ),
+    "an offset that float32 cannot hold": (
+        GOOD.replace("OFFSET 0 10 0", "OFFSET 0 1e300 0"),
+        8,
+        "OFFSET needs three",
+    ),
+    "a number of frames of 5,000 digits": (
+        GOOD.replace("Frames: 3", "Frames: " + "9" * 5000),
+        17,
+        "expected 'Frames: N'",
+    ),
     "binary behind the header": (GOOD.encode()[:-40] + bytes(range(256)), None, ""),
 }
 
@@ -270,6 +290,12 @@ def test_bad_files_are_refused_by_name_and_line(tmp_path, text, line, problem):
     assert "\n" not in message
     assert re.match(rf"{re.escape(str(path))}, line {line or r'[0-9]+'}: ", message), message
     assert problem in message
+    assert message.isprintable()
+
+
+def test_a_position_that_float32_cannot_hold_is_refused(tmp_path):
+    with pytest.raises(bvh.BVHError, match=r"walk\.bvh.*positions of joint Hips"):
+        load(write(tmp_path, GOOD.replace("1 90 0 0", "1e308 90 0 0")))
 
 
 @given(st.integers(0, len(GOOD) - 3))

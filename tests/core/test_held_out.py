@@ -18,11 +18,6 @@ def clips():
     return tk.datasets.load("procedural", styles=["Neutral", "Zombie"], gaits=["FW"], seconds=6.0)
 
 
-@pytest.fixture(scope="module")
-def embedded():
-    return tk.pretrained()
-
-
 def test_moments_have_a_second_before_and_two_seconds_after(clips):
     some = recorded.moments(clips)
     assert {m.at for m in some} == {60, 180}
@@ -33,8 +28,8 @@ def test_moments_have_a_second_before_and_two_seconds_after(clips):
         recorded.moments([clip.cut(0, 179) for clip in clips])
 
 
-def test_a_character_begins_in_the_recorded_pose_and_place(clips, embedded):
-    model, bank = embedded
+def test_a_character_begins_in_the_recorded_pose_and_place(clips):
+    model, bank = tk.pretrained()
     some = recorded.moments(clips)
     state = recorded.beginning(model, some, torch.stack([bank[m.clip.style] for m in some]))
     for i, m in enumerate(some):
@@ -46,8 +41,8 @@ def test_a_character_begins_in_the_recorded_pose_and_place(clips, embedded):
         torch.testing.assert_close(state.root[i], m.world[m.at])
 
 
-def test_followed_recordings_stay_near_them_and_floors_are_farther(clips, embedded):
-    model, bank = embedded
+def test_followed_recordings_stay_near_them_and_floors_are_farther(clips):
+    model, bank = tk.pretrained()
     recogniser = tk.evaluation.recognition.train(tk.features.build(clips), steps=10)
     run = training.Run(model, bank.select(["Neutral", "Zombie"]))
     rows = recorded.compared([run], clips, recogniser)
@@ -81,21 +76,22 @@ def test_fitted_vectors_have_less_error_and_the_model_stays_the_same():
     assert sum(e["mse"] for e in new.values()) < sum(e["mse"] for e in old.values())
     assert all(torch.equal(value, before[name]) for name, value in run.model.state_dict().items())
     assert all(p.requires_grad for p in run.model.parameters())
-    only = {kind: {"style0": getattr(train, kind)["style0"]}
-            for kind in ("inputs", "phases", "outputs", "clips", "takes")}
-    only = dataclasses.replace(train, **only)
-    part = refit(run.model, run.bank, only, steps=2)
+    part = refit(run.model, run.bank, only(train, "style0"), steps=2)
     assert torch.equal(part["style1"], run.bank["style1"])
     assert not torch.equal(part["style0"], run.bank["style0"])
 
 
-@pytest.mark.parametrize("names", [("style0",), ("style0", "style1")])
-def test_a_fit_begins_with_steps_of_six_hundredths_of_the_deviation_between_styles(names, capsys):
-    data, run = waves(), training.fit(waves(), dataclasses.replace(QUICK, steps=2))
+def only(data, *names):
+    """Features of some of the styles."""
     kinds = ("inputs", "phases", "outputs", "clips", "takes")
     parts = {kind: {name: getattr(data, kind)[name] for name in names} for kind in kinds}
+    return dataclasses.replace(data, **parts)
+
+
+@pytest.mark.parametrize("names", [("style0",), ("style0", "style1")])
+def test_a_fit_begins_with_steps_of_six_hundredths_of_the_deviation_between_styles(names, capsys):
+    data, run = only(waves(), *names), training.fit(waves(), dataclasses.replace(QUICK, steps=2))
     bank = run.bank.select(names)
-    data = dataclasses.replace(data, **parts)
     one = refit(run.model, bank, data, steps=1)
     quick = training.Config.quick()
     same = refit(run.model, bank, data, 1, quick.seed, quick.pose_mixup)

@@ -333,11 +333,7 @@ FIRST = "adam.generator.0.exp_avg"
 
 @pytest.mark.parametrize(("name", "value", "why"), [
     (FIRST, torch.zeros(3), "differs in tensor 0.exp_avg"),
-    (FIRST, torch.zeros(0), "differs in tensor 0.exp_avg"),
     ("step", 10**18, "its step is 1000000000000000000 after"),
-    ("step", "3", "its step is '3'"),
-    ("step", 3.0, "its step is 3.0"),
-    ("elapsed", math.nan, "its elapsed is nan"),
     ("elapsed", -1, "its step is 3 after -1 s"),
     ("history", [3], "its history is [3]"),
     ("sums", {"id": [1.0]}, "its sums is {'id': [1.0]}"),

@@ -31,16 +31,23 @@ def test_shots_go_in_and_out(desk):
     assert len(desk.render()) == 30
 
 
-@pytest.mark.parametrize(("scene", "said"), [
-    ({}, "expected an object with the fields version and shots"),
-    ({"version": 1, "shots": [{"path": [[0, 0]], "styles": "Zombie"}]},
-     "path: two or more points are needed, got 1"),
-    ({"version": 1, "shots": [{"path": [[0, 0], [0, 1]], "styles": "Nobody"}]}, "Nobody"),
+@pytest.mark.parametrize(("changes", "said"), [
+    ({"version": 10**400}, "version"), ({"shots": "x"}, "must be a list"),
+    ({"shots": [{}] * 10**5}, "shots"), ({"apart": 1e300}, "apart"), ({"walls": [[0]]}, "walls"),
+    ({"path": [[0, 0]]}, "path: two or more points are needed, got 1"),
+    ({"path": [[[0] * 9] * 9] * 9}, "path"), ({"path": [[0, 0], [10**400, 0]]}, "path"),
+    ({"styles": "Nobody"}, "Nobody"), ({"name": "x" * 10**5}, "name"), ({"extra": 1}, "extra"),
 ])
-def test_a_scene_that_is_not_valid_is_refused(desk, scene, said):
-    before = desk.scene
-    with pytest.raises(traitlets.TraitError, match=said):
-        desk.scene = scene
+def test_a_scene_that_is_not_valid_is_refused_in_one_line(desk, changes, said):
+    """A message of any page; the kernel keeps the scene that it had."""
+    before = json.loads(json.dumps(desk.scene))
+    scene = before | {key: changes[key] for key in changes.keys() & {*before, "apart", "walls"}}
+    if scene == before:
+        scene["shots"] = [before["shots"][0] | changes]
+    with pytest.raises(traitlets.TraitError, match=said) as error:
+        desk.set_state({"scene": scene})
+    assert len(str(error.value)) < 300
+    assert str(error.value).isprintable()
     assert desk.scene == before
 
 

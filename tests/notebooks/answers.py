@@ -16,16 +16,14 @@ RIGHT["00.1"] = [
     {'Old': np.float64(.25), 'Zombie': torch.tensor(.75)}, dict(zip(['Old', 'Zombie'], [.25, .75])),
 ]
 WRONG["00.1"] = [
-    dict(Old=.75, Zombie=.25), dict(Old=25, Zombie=75), dict(Old=1, Zombie=3), dict(Old=.25),
-    dict(Zombie=.75),
+    dict(Old=.75, Zombie=.25), dict(Old=25, Zombie=75), dict(Zombie=.75),
 ]
 RIGHT["00.2"] = [
     lambda speed, fps: speed * (1 / fps), lambda speed, fps: np.float32(speed / fps),
     lambda speed, fps: torch.tensor(speed) / fps, lambda speed, fps: float(speed) / float(fps),
 ]
 WRONG["00.2"] = [
-    lambda speed, fps: fps / speed, lambda speed, fps: speed, lambda speed, fps: fps,
-    lambda speed, fps: speed - fps, lambda speed, fps: speed / fps + 1,
+    lambda speed, fps: fps / speed, lambda speed, fps: speed,
 ]
 RIGHT["00.3"] = [
     dict(Neutral=0.59, Aeroplane=0.41), dict(Neutral=0.585, Aeroplane=0.415),
@@ -33,8 +31,7 @@ RIGHT["00.3"] = [
 ]
 WRONG["00.3"] = [
     dict(Neutral=1.0, Aeroplane=0.0), dict(Neutral=0.5, Aeroplane=0.5),
-    dict(Neutral=0.4, Aeroplane=0.6), dict(Neutral=0.25, Aeroplane=0.75),
-    dict(Neutral=0.0, Aeroplane=1.0),
+    dict(Neutral=0.4, Aeroplane=0.6),
 ]
 RIGHT["01.1"] = [
     lambda own, root, angle: (
@@ -62,9 +59,7 @@ RIGHT["01.2"] = [
     (PI, (1, 0, 3)), (-.5, [0., 0., 0.]), (np.pi / 2, (4, 0, 0)),
     (torch.tensor(2.), torch.zeros(3).tolist()),
 ]
-WRONG["01.2"] = [
-    (0, (0, 0, 0)), (0, (4, 0, 0)), (0, (0, 2, 0)), (2 * PI, (0, 0, 0)), (0., (1, 1, 1)),
-]
+WRONG["01.2"] = [(0, (4, 0, 0)), (0, (0, 2, 0)), (2 * PI, (0, 0, 0))]
 RIGHT["01.3"] = [
     lambda turns, pairs: (
         torch.diag(torch.tensor([-1.0, 1, 1]))
@@ -120,8 +115,7 @@ RIGHT["02a.3"] = [
     ((2, 0., 1), (3, 0., 2)),
 ]
 WRONG["02a.3"] = [
-    ((1, 1, 0), (1, 1, 1)), ((1, 1, 0), (1, 1, 0)), ((1, 1, 0), (1, 1, 2 * PI)),
-    ((0, 1, 0), (1, 1, 0)), ((0, 1, 0), (1, 1, 2)),
+    ((1, 1, 0), (1, 1, 1)), ((1, 1, 0), (1, 1, 2 * PI)), ((0, 1, 0), (1, 1, 2)),
 ]
 RIGHT["02b.1"] = [
     (torch.arange(12.) + 2 * PI, torch.arange(12.)), (torch.ones(50), -torch.ones(50)),
@@ -129,8 +123,7 @@ RIGHT["02b.1"] = [
 ]
 WRONG["02b.1"] = [
     (torch.zeros(20), torch.zeros(20)), (torch.zeros(20) + .5, torch.zeros(20)),
-    (torch.arange(20.), torch.zeros(20)), (torch.zeros(5) + 2, torch.zeros(5)),
-    (torch.randn(40), torch.randn(40)),
+    (torch.arange(20.), torch.zeros(20)),
 ]
 RIGHT["03a.1"] = [
     lambda first, second: 1 / (1 - second / first), lambda first, second: -first / (second - first),
@@ -142,8 +135,7 @@ RIGHT["03a.2"] = [
     (torch.arange(9.), 3 * torch.arange(9.) - 2), (np.array([0., 1, 5]), np.array([1., 3, 11])),
 ]
 WRONG["03a.2"] = [
-    (torch.tensor([1., 2, 3]), torch.tensor([1., 2, 3])), ([1, 2], [2, 1]),
-    (torch.arange(9.), -torch.arange(9.)), (torch.arange(9.), torch.arange(9.) ** 2), ([1.], [2.]),
+    ([1, 2], [2, 1]), (torch.arange(9.), torch.arange(9.) ** 2), ([1.], [2.]),
 ]
 RIGHT["03a.3"] = [
     lambda a, h, b, k: torch.tensor(k * (a * h + h * h + h * b + h + h + b)),
@@ -184,7 +176,7 @@ RIGHT["03b.3"] = [
     LEG * torch.tensor([1., -1, 1]), LEG + torch.tensor([0., 2., 0.]),
     LEG @ torch.tensor([[0., -1, 0], [1, 0, 0], [0, 0, 1]]), (LEG - 3).numpy(),
 ]
-WRONG["03b.3"] = [LEG, LEG + .01, 2 * LEG, LEG[:2], torch.zeros(3, 3)]
+WRONG["03b.3"] = [LEG + .01, 2 * LEG, LEG[:2]]
 RIGHT["04.1"] = [
     lambda style, corners: F.normalize(torch.tensor([style[c] for c in corners]), p=1, dim=0),
     lambda style, corners: np.array([style[c] for c in corners]) / sum(style.values()),
@@ -195,8 +187,6 @@ WRONG["04.1"] = [
     lambda style, corners: [style[c] for c in corners],
     lambda style, corners: torch.tensor([*style.values()]) / sum(style.values()),
     lambda style, corners: torch.softmax(torch.tensor([style[c] for c in corners]), 0),
-    lambda style, corners: list(style),
-    lambda style, corners: [style[c] / len(corners) for c in corners],
 ]
 RIGHT["04.2"] = [
     [[1, k % 2, 1] for k in range(12)], np.cumsum(np.tile([0, .01, 0], (30, 1)), 0),
@@ -204,8 +194,7 @@ RIGHT["04.2"] = [
     [(0, .1 * math.sin(k), 0) for k in range(60)],
 ]
 WRONG["04.2"] = [
-    torch.zeros(20, 3), torch.ones(20, 3), torch.arange(60.).view(20, 3), torch.zeros(20, 2),
-    torch.zeros(5, 3),
+    torch.ones(20, 3), torch.arange(60.).view(20, 3), torch.zeros(20, 2),
 ]
 RIGHT["04.3"] = [
     lambda point, corners: torch.linalg.lstsq(
@@ -272,12 +261,11 @@ RIGHT["06.3"] = [
     dict(before=9.0, after=4, mean=1, repeat=5),
 ]
 WRONG["06.3"] = [
-    dict(before=1, after=0.4, mean=1, repeat=0.5), dict(before=1, after=0.6, mean=1, repeat=0.5),
-    dict(before=1, after=0.5, mean=1, repeat=0.1), dict(before=0.2, after=0.4, mean=1, repeat=0.3),
-    dict(before=1, after=0, mean=1, repeat=0),
+    dict(before=1, after=0.4, mean=1, repeat=0.5), dict(before=1, after=0.5, mean=1, repeat=0.1),
+    dict(before=0.2, after=0.4, mean=1, repeat=0.3),
 ]
 RIGHT["07.1"] = [60.0, np.float32(60), math.degrees(math.acos(.5)), torch.tensor(60.)]
-WRONG["07.1"] = [90, 45, 30, 180, 360]
+WRONG["07.1"] = [30, 90, 120]
 RIGHT["07.2"] = [
     lambda w, b, g, t: torch.vstack((w * g, g * b + t)),
     lambda w, b, g, t: torch.cat((w @ torch.diag(g), (b * g + t)[None])),
@@ -297,19 +285,17 @@ RIGHT["07.3"] = [
     )(sorted(e.tolist(), key=np.mean)),
 ]
 RIGHT["08a.1"] = [['cyc', 'id'], ('id', 'cyc'), frozenset({'cyc', 'id'}), set('cyc id'.split())]
-WRONG["08a.1"] = [set(), {'adv'}, {'cyc'}, {'id'}, {'sty'}]
+WRONG["08a.1"] = [set(), {'cyc'}, {'id'}]
 RIGHT["08a.2"] = [[[.5, .8]] * 12, np.full((20, 2), .9), torch.ones(30, 2), [(0, 1)] * 10]
 WRONG["08a.2"] = [
-    torch.zeros(10, 2), torch.tensor([[0., -1]] * 10), torch.rand(10, 2), [[0, 1]] * 9,
-    [[0, 1], [.5, 1]] * 5,
+    torch.tensor([[0., -1]] * 10), [[0, 1]] * 9, [[0, 1], [.5, 1]] * 5,
 ]
 RIGHT["08a.3"] = [
     {'C': 'cyc', 'B': 'adv', 'A': 'ds'}, dict(zip('ABC', ('ds', 'adv', 'cyc'))),
     {k: v for k, v in zip('ABC', ['ds', 'adv', 'cyc'])}, dict(A='ds') | dict(B='adv', C='cyc'),
 ]
 WRONG["08a.3"] = [
-    dict(A='ds', B='adv', C='id'), dict(A='adv', B='ds', C='cyc'), dict(A='cyc', B='adv', C='ds'),
-    dict(A='sty', B='adv', C='cyc'), dict(A='ds', B='sty', C='cyc'),
+    dict(A='ds', B='adv', C='id'), dict(A='adv', B='ds', C='cyc'), dict(A='sty', B='adv', C='cyc'),
 ]
 RIGHT["08b.1"] = [
     lambda h, g, b: F.instance_norm(h[None], eps=0)[0] * (1 + g)[:, None] + b[:, None],
@@ -324,7 +310,7 @@ RIGHT["08b.2"] = [
     [2, 4, 0, 5, 1, 3],
 ]
 WRONG["08b.2"] = [
-    [0, 1, 2, 3, 4, 5], [1, 0, 3, 2, 5, 4], [5, 4, 3, 2, 1, 0], [2, 3, 4, 5, 0], [2, 2, 4, 4, 0, 0],
+    [1, 0, 3, 2, 5, 4], [2, 3, 4, 5, 0], [2, 2, 4, 4, 0, 0],
 ]
 RIGHT["08b.3"] = [
     lambda m, s, n, r: abs(m - n) ** 2 + abs(s - r) ** 2,
@@ -333,7 +319,7 @@ RIGHT["08b.3"] = [
     lambda m, s, n, r: torch.tensor([m - n, s - r]).square().sum(),
 ]
 RIGHT["09.1"] = [2 / 25, np.float64(.08), torch.tensor(.08), 1 / 12.5]
-WRONG["09.1"] = [0.04, 0.1, 25, 0.02, 12.5]
+WRONG["09.1"] = [0.04, 25, 12.5]
 RIGHT["09.2"] = [
     lambda a, b, d: np.degrees(np.arccos(np.clip((a**2 + b**2 - d**2) / (2 * a * b), -1, 1))),
     lambda a, b, d: torch.rad2deg(
@@ -359,7 +345,7 @@ RIGHT["09.3"] = [
     ),
 ]
 RIGHT["10.1"] = [3.6, 3.65, np.float32(3.7), torch.tensor(3.7), 3.75]
-WRONG["10.1"] = [1, 2, 2.5, 3, 3.3]
+WRONG["10.1"] = [2, 3, 3.3]
 RIGHT["10.2"] = [
     lambda p, a, b: (
         100
@@ -398,8 +384,7 @@ RIGHT["11.1"] = [
     (('Old',) * 10 + ('Zombie',), ('Old',) * 11), ([3] * 95 + [4] * 5, [3] * 100),
 ]
 WRONG["11.1"] = [
-    ([0] * 10, [0] * 10), ([0, 1] * 5, [0] * 10), ([0] * 9 + [1], [0] * 9 + [1]),
-    ([0] * 9 + [1], [1] * 10), ([0] * 8 + [1, 1], [0] * 10),
+    ([0] * 10, [0] * 10), ([0] * 9 + [1], [1] * 10), ([0] * 8 + [1, 1], [0] * 10),
 ]
 RIGHT["11.2"] = [
     lambda a, b, gap: not (a[1] + gap <= b[0] or b[1] + gap <= a[0]),
@@ -420,8 +405,7 @@ RIGHT["12.1"] = [
     lambda r: int(r['posture, cm'] < 6 and 9 / 2 < r['range, cm'] < 18),
 ]
 WRONG["12.1"] = [
-    lambda r: True, lambda r: False, lambda r: r['posture, cm'] < 5, lambda r: r['range, cm'] > 3,
-    lambda r: r['hips, cm'] < 5,
+    lambda r: True, lambda r: r['posture, cm'] < 5, lambda r: r['range, cm'] > 3,
 ]
 RIGHT["12.2"] = [
     lambda mine, floor: 1 - mine / floor, lambda mine, floor: -(mine - floor) / floor,
@@ -436,7 +420,7 @@ RIGHT["12.3"] = [
     dict(what='it is slower than my own clip', unit='m/s', measure=lambda: torch.tensor([.8, 1.2])),
 ]
 WRONG["12.3"] = [
-    'a' * 60 + '1', 'Everything works perfectly and nothing fails in 12 tests',
-    dict(what='bones of the arm get longer'), dict(what='bones', unit='mm', measure=lambda: (8, 5)),
+    'Everything works perfectly and nothing fails in 12 tests',
+    dict(what='bones', unit='mm', measure=lambda: (8, 5)),
     dict(what='bones of the arm get longer', unit='mm', measure=8),
 ]

@@ -14,7 +14,6 @@ import pytest
 from robustness import fuzz
 from robustness.fuzz import Reader, targets
 from safetensors.torch import save_file
-from test_bvh import GOOD
 
 import toolkit as tk
 from toolkit.__main__ import main
@@ -49,30 +48,6 @@ def load(path):
     return bvh.load(path, unit=0.01, up="y")
 
 
-BAD_BVH = {
-    "a joint inside an End Site, whose name would grow with every level": (
-        GOOD.replace("OFFSET 0 5 0\n", "OFFSET 0 5 0\nEnd Site {\n}\n"),
-        "line 13: unexpected End inside an End Site"),
-    "a name that writes on the terminal": (GOOD.replace("Chest", "Ch\x1b[31mest"),
-                                           "line 6: .* cannot be printed"),
-    "an offset that float32 cannot hold": (GOOD.replace("OFFSET 0 10 0", "OFFSET 0 1e300 0"),
-                                           "line 8: OFFSET needs three"),
-    "a position that float32 cannot hold": (GOOD.replace("1 90 0 0", "1e308 90 0 0"),
-                                            "positions of joint Hips"),
-    "a number of frames of 5,000 digits": (GOOD.replace("Frames: 3", "Frames: " + "9" * 5000),
-                                           "expected 'Frames: N'"),
-}
-
-
-@pytest.mark.parametrize(("text", "problem"), BAD_BVH.values(), ids=BAD_BVH)
-def test_files_that_once_got_through_the_bvh_reader(tmp_path, text, problem):
-    path = tmp_path / "walk.bvh"
-    path.write_text(text)
-    with pytest.raises(bvh.BVHError, match=problem):
-        load(path)
-    refused(load, path)
-
-
 def test_a_small_bvh_takes_little_memory_whatever_it_claims(tmp_path):
     joints, rows = 3000, 30_000  # 3 × 3000 channels by 30,000 frames would be 2 GB
     chain = "".join(f"JOINT j{i}\n{{\nCHANNELS 3 Xrotation Yrotation Zrotation\n"
@@ -99,19 +74,16 @@ def test_joints_without_channels_times_frames_are_not_taken_at_their_word(tmp_pa
     assert "2001 joints in 2000 frames, but only 1 channels" in refused(load, path)
 
 
-DEEP = "[" * 5000
-
-
-@pytest.mark.parametrize("value", [DEEP, "9" * 5000, "3", '{"config": {}}'])
-@pytest.mark.parametrize("part", ["run", "model", "bank"])
-def test_models_whose_description_is_something_else(tmp_path, small_run, part, value):
+@pytest.mark.parametrize("value", ["[" * 5000, "9" * 5000, "3", '{"config": {}}'])
+def test_models_whose_description_is_something_else(tmp_path, small_run, value):
     path = tmp_path / "run.safetensors"
     small_run.save(path)
     tensors, parts = model_files.read(path, "run")
-    described = {name: json.dumps(x) for name, x in parts.items()} | {"format": model_files.FORMAT,
-                                                                      part: value}
-    save_file(tensors, path, described)
-    refused(tk.training.load, path)
+    described = {name: json.dumps(x) for name, x in parts.items()}
+    described["format"] = model_files.FORMAT
+    for part in ("run", "model", "bank"):
+        save_file(tensors, path, described | {part: value})
+        refused(tk.training.load, path)
 
 
 def test_errors_on_the_command_line_are_one_printable_line(capfd):
@@ -136,8 +108,8 @@ def test_two_writers_of_one_file_do_not_mix(tmp_path):
 def test_what_cannot_be_written_is_named(tmp_path):
     path = tmp_path / "a.bin"
     path.write_bytes(b"old")
-    with pytest.raises(OSError,
-                       match=r"\(No space left on device\): '.*a\.bin'"), atomic_write(path):
+    named = pytest.raises(OSError, match=r"\(No space left on device\): '.*a\.bin'")
+    with named, atomic_write(path):
         raise OSError(28, "No space left on device")
     assert path.read_bytes() == b"old"
     assert list(tmp_path.iterdir()) == [path]
