@@ -4,6 +4,7 @@ import math
 import sys
 
 import pandas as pd
+import numpy as np
 import torch
 from course.checks import NOTHING, Exercise, Judge, draws, same_as, shows
 from course.laboratory import trial
@@ -146,12 +147,12 @@ EXERCISES = {
     ),
     "02b.1": Exercise(
         shows(
-            ("give two tensors of as many angles, ten or more",
+            ("give two tensors or lists of as many angles, ten or more",
              lambda found, true: len(found) == len(true) > 9),
             ("this phase is wrong: its error is not zero",
-             lambda found, true: _error(found, true) < 0.01),
+             lambda found, true: _error(*map(torch.as_tensor, (found, true))) < 0.01),
             ("the faulty function is right about this one",
-             lambda found, true: (found - true).abs().mean() > 1),
+             lambda found, true: np.abs(np.subtract(found, true)).mean() > 1),
             parts=2,
         ),
         "which differences between two phases are no error?",
