@@ -3,8 +3,8 @@
 import math
 import sys
 
-import pandas as pd
 import numpy as np
+import pandas as pd
 import torch
 from course.checks import NOTHING, Exercise, Judge, draws, same_as, shows
 from course.laboratory import trial
