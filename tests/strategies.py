@@ -7,6 +7,7 @@ from toolkit.motion import Clip, Skeleton, rotations as R
 
 seeds = st.integers(0, 2**31 - 1)
 
+#: A joint, its parent and its offset in each line.
 HUMAN = """Hips - 0 0 0
 Chest Hips 0 .3 .02
 Head Chest 0 .3 .02
@@ -29,14 +30,17 @@ RightFoot RightKnee 0 -.4 0
 RightToe RightFoot 0 -.05 .15"""
 
 
+def body_of(text: str) -> Skeleton:
+    """The body of such lines."""
+    rows = [line.split() for line in text.splitlines()]
+    names = [row[0] for row in rows]
+    parents = [-1] + [names.index(row[1]) for row in rows[1:]]
+    return Skeleton(names, parents, torch.tensor([[float(v) for v in row[2:]] for row in rows]))
+
+
 def human() -> Skeleton:
     """A symmetric body in a T-pose: +Z forward, left +X."""
-    rows = [line.split() for line in HUMAN.splitlines()]
-    names = [r[0] for r in rows]
-    parents = [-1] + [names.index(r[1]) for r in rows[1:]]
-    return Skeleton(
-        tuple(names), tuple(parents), torch.tensor([[float(v) for v in r[2:]] for r in rows])
-    )
+    return body_of(HUMAN)
 
 
 def quaternions(seed: int, *shape: int, dtype=torch.float64) -> torch.Tensor:

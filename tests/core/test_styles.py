@@ -20,12 +20,6 @@ BANK = StyleBank(("Neutral", "Zombie", "Old"), torch.eye(3))
 
 def test_vectors_by_name_and_blends():
     assert torch.equal(BANK["Zombie"], torch.tensor([0.0, 1.0, 0.0]))
-    assert (len(BANK), list(BANK), "Old" in BANK, "Young" in BANK) == (
-        3,
-        ["Neutral", "Zombie", "Old"],
-        True,
-        False,
-    )
     blend = BANK.blend({"Zombie": 0.5, "Old": 0.3, "Neutral": 0.2})
     torch.testing.assert_close(blend, torch.tensor([0.2, 0.5, 0.3]))
     BANK.blend({"Zombie": 0.50005, "Old": 0.5})
@@ -38,7 +32,6 @@ def test_vectors_by_name_and_blends():
     ("weights", "said"),
     [
         ({}, "must sum to 1, got"),
-        ({"Zombie": 0.5}, "must sum to 1, got"),
         ({"Zombie": 1.0002}, "must sum to 1, got"),
         ({"Zombie": math.nan, "Old": 1.0}, "weight of style 'Zombie' must be finite"),
         ({"zombi": 1.0}, "unknown style 'zombi'; close to it: Zombie"),
@@ -58,15 +51,6 @@ def test_banks_that_are_none_are_refused():
     ):
         with pytest.raises(ValueError, match=said):
             StyleBank(names, vectors)
-
-
-def test_round_trip(tmp_path):
-    BANK.save(tmp_path / "bank.safetensors")
-    again = StyleBank.load(tmp_path / "bank.safetensors")
-    assert again.names == BANK.names
-    assert torch.equal(again.vectors, BANK.vectors)
-    with pytest.raises(ValueError, match=r"nothing.safetensors: cannot be read"):
-        StyleBank.load(tmp_path / "nothing.safetensors")
 
 
 def test_layers_may_have_blends_of_their_own():
@@ -94,6 +78,9 @@ def test_styles_that_shake_stay_marked(tmp_path):
     bank.select(["b", "a"]).save(tmp_path / "bank.safetensors")
     again = StyleBank(("c",), torch.ones(1, 2)).merge(StyleBank.load(tmp_path / "bank.safetensors"))
     assert again.labels() == {"c": "c", "b": "b (shakes)", "a": "a"}
+    assert torch.equal(again["b"], bank["b"])
+    with pytest.raises(ValueError, match=r"nothing.safetensors: cannot be read"):
+        StyleBank.load(tmp_path / "nothing.safetensors")
     with pytest.raises(ValueError, match=r"2 styles need marks \[2\], got \[1\]"):
         StyleBank(("a", "b"), torch.eye(2), shakes=torch.tensor([True]))
 
@@ -109,14 +96,8 @@ def test_nearest_counts_distances():
 
 def test_a_transition_reaches_its_stops_and_holds_outside():
     at = tk.styles.transition(BANK, {1: "Neutral", 2: {"Zombie": 0.5, "Old": 0.5}, 3: "Old"})
-    for frame, vector in (
-        (0, [1, 0, 0]),
-        (60, [1, 0, 0]),
-        (120, [0, 0.5, 0.5]),
-        (180, [0, 0, 1]),
-        (999, [0, 0, 1]),
-    ):
-        torch.testing.assert_close(at(frame), torch.tensor(vector, dtype=torch.float32))
+    for frame, vector in ((0, [1.0, 0, 0]), (120, [0, 0.5, 0.5]), (999, [0, 0, 1.0])):
+        torch.testing.assert_close(at(frame), torch.tensor(vector))
     way = torch.stack([at(frame) for frame in range(60, 121)])
     torch.testing.assert_close(way.sum(1), torch.ones(61))
     assert (way[:, 0].diff() <= 0).all()
@@ -178,11 +159,8 @@ def test_a_new_style_changes_nothing_else(small_run, crouch, method):
     )
     before = [model.predict(x, p, bank[s]) for s in bank]
     made = tk.styles.fine_tune(model, crouch, "Mine", bank, method=method, steps=10)
-    assert (made.names, made.bank.names, made.method) == (
-        ("Mine",),
-        ("Neutral", "Zombie", "Mine"),
-        method,
-    )
+    assert (made.names, made.method) == (("Mine",), method)
+    assert made.bank.names == ("Neutral", "Zombie", "Mine")
     assert torch.equal(made.bank.select(bank.names).vectors, bank.vectors)
     assert all(map(torch.equal, frozen(made.model), frozen(model)))
     assert (
@@ -201,11 +179,11 @@ def test_a_new_style_changes_nothing_else(small_run, crouch, method):
 @pytest.mark.parametrize("method", ["generator", "vector"])
 def test_learning_lowers_the_loss_and_is_repeatable(small_run, wide, method):
     made, again = (
-        tk.styles.fine_tune(small_run.model, wide, None, small_run.bank, method=method, steps=50)
+        tk.styles.fine_tune(small_run.model, wide, None, small_run.bank, method=method, steps=30)
         for _ in range(2)
     )
     assert torch.equal(again.bank["WideLegs"], made.bank["WideLegs"])
-    assert len(made.losses) == 50
+    assert len(made.losses) == 30
     assert sum(made.losses[-10:]) < 0.98 * sum(made.losses[:10])
 
 
@@ -274,21 +252,16 @@ def test_the_embedded_model_learns_a_style_from_one_clip(fast):
 
 
 def test_what_cannot_be_learnt_is_refused_in_one_line(small_run, crouch):
-    model, bank = small_run.model, small_run.bank
-    with pytest.raises(ValueError, match="the bank has Zombie already"):
-        tk.styles.fine_tune(model, crouch, "Zombie", bank)
-    with pytest.raises(
-        ValueError, match="unknown method 'magic'; known: generator, vector, forward"
+    slim = tk.pretrained().model
+    for model, clip, name, method, said in (
+        (small_run.model, crouch, "Zombie", "vector", "the bank has Zombie already"),
+        (small_run.model, crouch, "Mine", "magic", "unknown method 'magic'; known: generator, vec"),
+        (slim, crouch, "Mine", "generator", "needs a FiLM generator, and this model has none"),
+        (small_run.model, crouch.without_ends(), "Mine", None, "not the model's skeleton; it diff"),
+        (small_run.model, crouch.cut(0, 111), "Mine", None, "no clip of 112 frames"),
     ):
-        tk.styles.fine_tune(model, crouch, "Mine", bank, method="magic")
-    with pytest.raises(
-        ValueError, match="needs a FiLM generator, and this model has none; use method 'vector'"
-    ):
-        tk.styles.fine_tune(tk.pretrained().model, crouch, "Mine", method="generator")
-    with pytest.raises(ValueError, match="not the model's skeleton; it differs in joints"):
-        tk.styles.fine_tune(model, crouch.without_ends(), "Mine", bank)
-    with pytest.raises(ValueError, match="no clip of 112 frames"):
-        tk.styles.fine_tune(model, crouch.cut(0, 111), "Mine", bank)
+        with pytest.raises(ValueError, match=said):
+            tk.styles.fine_tune(model, clip, name, small_run.bank, method=method)
 
 
 def test_style_add_writes_the_same_file_with_one_vector_more(tmp_path, small_run, crouch, capsys,

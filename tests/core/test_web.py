@@ -75,25 +75,6 @@ def read(packed: dict) -> np.ndarray:
     return np.frombuffer(base64.b64decode(packed["data"]), kind).astype(np.float32)
 
 
-def test_numbers_and_panels_keep_the_weights():
-    weight, bias = (
-        torch.randn(3, 5, 11, generator=torch.Generator().manual_seed(0)),
-        torch.arange(33.0).view(3, 11)
-    )
-    for half, tolerance in ((False, 0), (True, 2**-11)):
-        flat, at = read(live_page.numbers(live_page.panels(weight, bias), half)), 0
-        for first in (0, 8):
-            for k in range(3):
-                for i in range(6):
-                    for o in range(first, first + 8):
-                        expected = (
-                            0.0 if o >= 11 else float(bias[k, o] if i == 5 else weight[k, i, o])
-                        )
-                        assert abs(flat[at] - expected) <= tolerance * abs(expected) + 1e-7 * half
-                        at += 1
-        assert at == len(flat)
-
-
 def test_another_model_is_shown_as_recorded_walks(small_run, tmp_path, monkeypatch):
     monkeypatch.setattr(live_page, "SECONDS", 0.2)
     other = tk.networks.build("pfnn-film", small_run.model.layout, 2, small_run.model.sizes)
