@@ -32,11 +32,6 @@ def test_a_layer_on_a_phase_equals_interpolating_whole_weight_sets():
         torch.testing.assert_close(got[n], expected, rtol=1e-10, atol=1e-10)
 
 
-def test_the_curve_goes_through_its_points():
-    corners = CatmullRom()(torch.arange(4)[:, None] * math.tau / 4)
-    torch.testing.assert_close(corners, torch.eye(4), atol=1e-6, rtol=0)
-
-
 def test_one_hot_is_a_label_beside_the_input():
     """The shift of the first layer equals rows of every expert's weights for the label."""
     torch.manual_seed(1)

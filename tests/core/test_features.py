@@ -28,13 +28,6 @@ def test_widths_are_the_papers(walk_clip):
     assert style_clips(walk_clip).shape[1:] == (240, 300)
 
 
-@pytest.mark.parametrize(("phase", "columns", "made"), [
-    ("local", 8, 342), ("global", 1, 327), ("none", 0, 326)])
-def test_widths_of_each_phase(walk_clip, phase, columns, made):
-    layout = Layout(walk_clip.skeleton, phase)
-    assert (layout.n_phases, layout.n_outputs) == (columns, made)
-
-
 def test_rows_against_a_slow_loop(walk_clip):
     rows = frames(walk_clip)
     layout, roots = Layout(walk_clip.skeleton), root_frames(walk_clip)
@@ -73,17 +66,6 @@ def test_features_do_not_change_when_the_character_is_moved_or_turned(walk_clip)
     here, there = frames(walk_clip), frames(walk_clip.moved(turn=-1.2, shift=(4.0, 0.0, 2.0)))
     assert float((here.inputs - there.inputs).abs().max()) < 2e-3
     assert float((here.outputs - there.outputs).abs().max()) < 2e-3
-
-
-def test_mirroring_swaps_sides_and_negates_x(walk_clip):
-    layout = Layout(walk_clip.skeleton)
-    here, there = frames(walk_clip), frames(walk_clip.mirrored())
-    left, right = (split_joints(rows.inputs[:, layout.inputs["joints"]])["position"]
-                   for rows in (here, there))
-    skeleton = walk_clip.skeleton
-    pairs = [layout.names.index(skeleton.names[skeleton.mirror_pairs[j]])
-             for j in skeleton.feature_joints]
-    assert float((left[:, pairs] * torch.tensor([-1.0, 1, 1]) - right).abs().max()) < 0.01
 
 
 def test_packing_refuses_what_does_not_fit(walk_clip):

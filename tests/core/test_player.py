@@ -36,17 +36,6 @@ def test_the_page_gets_a_body_once_and_every_motion(clip, other):
     assert (player.clips, player.skeletons, player.shown) == ([], [], [])
 
 
-@pytest.mark.parametrize("frames", [1, 4])
-def test_any_tree_plays(clip, frames):
-    offsets = torch.tensor([[0.0, 0, 0], [0, 0.5, 0], [0.2, 0, 0]])
-    skeleton = tk.Skeleton(("a", "b", "c"), (-1, 0, 1), offsets)
-    rotations = tk.motion.rotations.identity(frames, 3)
-    tree = tk.Clip(skeleton, rotations, torch.zeros(frames, 3), 30.0)
-    player = view.Player([tree, clip], contacts=[None, torch.ones(FRAMES, 2)])
-    assert [shown["skeleton"] for shown in player.clips] == [0, 1]
-    player.close()
-
-
 def test_outside_of_a_notebook_playing_gives_a_strip(clip, other):
     figure = view.play([clip, other], labels=["data", "model"])
     assert type(figure).__name__ == "Picture"

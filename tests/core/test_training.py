@@ -429,14 +429,6 @@ def test_it_stops_early_with_the_best_weights_also_after_a_resume(tmp_path):
         training.fit(waves(), quick(patience=3, held_out=1e-4))
 
 
-def test_the_bar_shows_loss_and_time(capsys, monkeypatch):
-    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
-    training.fit(waves(), quick(steps=25), progress=True)
-    said = capsys.readouterr().err
-    assert re.search(r"loss=\d+\.\d+", said)
-    assert re.search(r"\[\d\d:\d\d<\d\d:\d\d", said)
-
-
 def test_the_rate_decays_on_a_cosine(monkeypatch):
     rates, step = [], loop.step
     monkeypatch.setattr(loop, "step", lambda *all_: rates.append(all_[-1]) or step(*all_))

@@ -58,20 +58,8 @@ def test_line_figure_has_a_step_and_a_frame_for_each_blend():
     assert drawn == 2 * sum(parent >= 0 for parent in model.layout.parents)
 
 
-def test_map_figure_hides_names_of_crowded_points_but_keeps_them_under_the_mouse():
-    points = np.array([[0.0, 0.0], [0.01, 0.0], [1.0, 1.0]])
-    figure = style_figures.map_figure(points, ["a", "b", "c"], ["x"] * 3)
-    assert list(figure.data[0].text) == ["", "", "c"]
-    assert list(figure.data[0].hovertext) == ["a", "b", "c"]
-
-
 def test_colours_never_repeat():
     assert len(set(charts.colours(40))) == 40
-
-
-def test_ten_curves_have_ten_colours():
-    figure = style_figures.curves_figure(range(3), {str(k): [k, k, k] for k in range(10)}, "x", "y")
-    assert len({trace.line.color for trace in figure.data}) == 10
 
 
 def test_losses_page_needs_every_set_and_numbers_them_as_its_switches_do():
