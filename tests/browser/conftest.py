@@ -52,6 +52,17 @@ def visit(browser):
     assert wrong == []
 
 
+def touches(page):
+    """``send(kind, *points)``: what a finger does."""
+    session = page.context.new_cdp_session(page)
+
+    def send(kind: str, *points: tuple[float, float]) -> None:
+        points = [{"x": x, "y": y} for x, y in points]
+        session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+    return send
+
+
 @pytest.fixture(scope="session")
 def pages(tmp_path_factory) -> Path:
     """A folder for pages that several tests open."""

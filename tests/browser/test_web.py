@@ -7,7 +7,7 @@ import torch
 
 import toolkit as tk
 
-from .conftest import SIZES
+from .conftest import SIZES, touches
 
 MOVED = """([x, z, far]) => {
     const [a, , b] = view.kernel.character.root;
@@ -90,14 +90,9 @@ def test_keys_gamepad_and_marker(live):
 
 def test_a_thumb_on_the_stick_walks_on_a_phone(live):
     page = live("phone")
-    touch = page.context.new_cdp_session(page)
+    send = touches(page)
     stick = page.locator(".tkc-stick").bounding_box()
     x, y = stick["x"] + stick["width"] / 2, stick["y"] + stick["height"] / 2
-
-    def send(kind, *points):
-        points = [{"x": a, "y": b} for a, b in points]
-        touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
-
     before = page.evaluate(ROOT)
     send("touchStart", (x, y))
     send("touchMove", (x, y - 50))
@@ -115,22 +110,14 @@ def test_a_thumb_on_the_stick_walks_on_a_phone(live):
     assert page.evaluate("() => document.documentElement.scrollWidth") == SIZES["phone"]["width"]
 
 
-def test_menus_mark_a_style_that_shakes(visit, pages):
+def test_a_crowd_looks_the_same_drawn_by_either_way(visit, pages):
+    """On the processor, as this browser draws, and instanced on the GPU."""
     model, bank = tk.pretrained()
     bank = bank.select(["Neutral", "Old", "Zombie"])
     bank = dataclasses.replace(bank, shakes=torch.tensor([False, True, False]))
-    for write, menu in ((tk.view.web, ".tkc-menus select"),
-                        (tk.view.director.web, ".tkd-mix select")):
-        page = visit(write(model, bank, pages / "marked.html", half=True))
-        if write is not tk.view.web:
-            page.get_by_role("button", name="Style key 1").click()
-        shown = page.locator(menu).first.locator("option").all_text_contents()
-        assert sorted(shown) == ["Neutral", "Old (shakes)", "Zombie"]
-
-
-def test_a_crowd_looks_the_same_drawn_by_either_way(visit, pages):
-    """On the processor, as this browser draws, and instanced on the GPU."""
-    page = visit(tk.view.web(*tk.pretrained(), pages / "crowd.html", characters=4, half=True))
+    page = visit(tk.view.web(model, bank, pages / "crowd.html", characters=4, half=True))
+    shown = page.locator(".tkc-menus select").first.locator("option").all_text_contents()
+    assert sorted(shown) == ["Neutral", "Old (shakes)", "Zombie"]
     page.wait_for_function("() => globalThis.view?.kernel.frame > 20")
     seen = page.evaluate("""() => {
         cancelAnimationFrame(view.kernel.handle);

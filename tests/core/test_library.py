@@ -52,8 +52,7 @@ def test_the_three_ways_to_a_model_give_the_same_kind(small_run, tmp_path, share
 def test_a_bank_is_a_mapping(small_run):
     bank = small_run.bank
     assert isinstance(bank, collections.abc.Mapping)
-    assert list(bank) == list(bank.keys()) == ["Neutral", "Zombie"]
-    assert "Zombie" in bank
+    assert list(bank.keys()) == ["Neutral", "Zombie"]
     assert "Zombi" not in bank
     assert torch.equal(torch.stack([*bank.values()]), bank.vectors)
     assert bank.get("Zombi") is None
@@ -110,10 +109,8 @@ ONE_PAIR = r"one pair \(x, z\), or \[1, 2\] of all characters"
 @pytest.mark.parametrize(("given", "match"), [
     ({"model": "lpn-film"}, r"expected a model \(of a run: run.model\), got 'lpn-film'"),
     ({"style": "Zombie"}, r"a style is a vector, bank\[name\] or .*; got 'Zombie'"),
-    ({"style": {"Zombie": 1.0}}, r"a style is a vector, bank\[name\] or .*; got \{Zombie\}"),
     ({"style": torch.zeros(7)}, r"style needs 128 columns, got shape \[1, 7\]"),
     ({"style": torch.zeros(1, 1, 9)}, r"a style is one vector \[S\], .*; got shape \[1, 1, 9\]"),
-    ({"position": (1.0, 2.0, 3.0)}, rf"position must be {ONE_PAIR}; got \[3\]"),
     ({"facing": [[0, 1], [1, 0]]}, rf"facing must be {ONE_PAIR}; got \[2, 2\]"),
     ({"position": (np.nan, 0)}, r"position and facing must be finite, .*; got \(nan, 0\), .*"),
 ])

@@ -248,13 +248,12 @@ def test_bad_clip():
         (bad, p, 30, "rotations of frame 2 are not finite"),
         (long, p, 30, r"length 1; in frame 1 that of HeadEnd has length 1\.01"),
         (nothing, p, 30, "length 1; in frame 3 that of Hips has length 0"),
-        (q * 1e10, p, 30, r"length 1; in frame 0 that of Hips has length 1e\+10"),
         (q, p, 0, "frames per second"),
         (q, p, math.inf, "frames per second"),
     ):
         with pytest.raises(ValueError, match=match):
             Clip(skeleton, rotations, positions, fps)
-    for fps in (0.0, -30.0, math.nan):
+    for fps in (0.0, math.nan):
         with pytest.raises(ValueError, match="cannot resample"):
             Clip(skeleton, q, p, 30).resample(fps)
 

@@ -171,15 +171,11 @@ def test_velocities_of_hands_and_feet_are_what_mann_looks_at():
     assert not torch.allclose(model.gating(p, x), model.gating(p, x.flip(0)))
 
 
-@pytest.mark.parametrize(("what", "shapes"), [
-    ("x", (9, 8, 64)), ("phases", (96, 7, 64)), ("style", (96, 8, 63))])
-def test_wrong_widths_are_named(what, shapes):
-    with pytest.raises(ValueError, match=rf"{what} needs \d+ columns, got shape"):
-        tiny_model().predict(*(torch.zeros(2, width) for width in shapes))
-
-
-def test_wrong_clips_sizes_names_and_normalisers():
+def test_wrong_widths_clips_sizes_names_and_normalisers():
     model = tiny_model()
+    for what, widths in (("x", (9, 8, 64)), ("phases", (96, 7, 64)), ("style", (96, 8, 63))):
+        with pytest.raises(ValueError, match=rf"{what} needs \d+ columns, got shape"):
+            model.predict(*(torch.zeros(2, width) for width in widths))
     with pytest.raises(ValueError, match=r"\[M, 240, 48\], got \[1, 100, 48\]"):
         model.style_vector(torch.zeros(1, 100, 48))
     with pytest.raises(ValueError, match="no model named 'lpn' is registered; there is"):
