@@ -70,21 +70,13 @@ def drawn(clip: tk.Clip, frame: int) -> np.ndarray:
     return body.build(clip).skin.pose(clip.global_rotations[frame], clip.global_positions[frame])[0]
 
 
-def check_gltf(clip: tk.Clip, path: Path) -> None:
-    tk.extra.engines.gltf.save(clip, path)
-    for frame in (0, len(clip) // 3, len(clip) - 1):
-        assert abs(seen_by_vtk(path, frame / clip.fps) - drawn(clip, frame)).max() < 1e-4
-
-
 def test_vtk_sees_the_same_skin_move(tmp_path, zombie):
-    check_gltf(zombie, tmp_path / "zombie.glb")
+    path = tmp_path / "zombie.glb"
+    tk.extra.engines.gltf.save(zombie, path)
+    for frame in (0, len(zombie) // 3, len(zombie) - 1):
+        assert abs(seen_by_vtk(path, frame / zombie.fps) - drawn(zombie, frame)).max() < 1e-4
     apart = abs(drawn(zombie, 0) - drawn(zombie, 60)).max()
     assert apart > 0.5  # the comparison could fail
-
-
-def test_vtk_sees_the_same_skin_on_a_rig_with_other_axes(tmp_path, shared):
-    file = sorted((shared / "bandai").rglob("*.bvh"))[0]
-    check_gltf(tk.bvh.load(file).cut(0, 100), tmp_path / "clip.glb")
 
 
 def test_gltf_names_the_joints_and_holds_what_moves(tmp_path, zombie):

@@ -7,7 +7,6 @@ import contextlib
 import dataclasses
 import functools
 import hashlib
-import http.server
 import importlib
 import json
 import os
@@ -28,6 +27,7 @@ from unittest import mock
 
 import torch
 import typer
+from archive_server import Server
 
 from experiments.tables import Result
 from toolkit import networks, training, view
@@ -495,32 +495,13 @@ def _command(*words: object) -> None:
 
 @contextlib.contextmanager
 def _serving(content: bytes) -> Iterator[str]:
-    """Address of a slow server of one file in its own process, which supports ranges."""
-
-    class Handler(http.server.BaseHTTPRequestHandler):
-        def do_GET(self) -> None:
-            first = int(re.sub(r"\D", "", self.headers.get("Range", "")) or 0)
-            self.send_response(206 if first else 200)
-            self.send_header("ETag", '"one"')
-            self.send_header("Content-Length", str(len(content) - first))
-            if first:
-                self.send_header("Content-Range",
-                                 f"bytes {first}-{len(content) - 1}/{len(content)}")
-            self.end_headers()
-            with contextlib.suppress(OSError):
-                for at in range(first, len(content), 1 << 16):
-                    self.wfile.write(content[at : at + (1 << 16)])
-                    time.sleep(0.01)
-
-        def log_message(self, *_) -> None:
-            pass
-
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+    """Address of a slow server of one file in its own process."""
+    server = Server(content, pause=0.01)
     child = os.fork()
     if not child:
         server.serve_forever()
     try:
-        yield f"http://127.0.0.1:{server.server_port}/data.zip"
+        yield server.url
     finally:
         server.server_close()
         os.kill(child, signal.SIGKILL)
