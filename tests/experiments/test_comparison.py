@@ -70,21 +70,13 @@ def test_hands_that_swing_together_or_in_turn_or_not_at_all(data):
     )
 
 
-def test_the_shared_error_against_a_slow_loop_and_of_the_mean(data):
+def test_the_shared_error_of_a_model_that_predicts_the_mean(data):
     train, test = tk.training.split(data, 0.1, 0, tuple(data.styles))
     scale = train.normalisers()["outputs"]
     normalisers = tk.networks.normalisers("pfnn-resad", train)
     model = tk.networks.build("pfnn-resad", data.layout, 3, models.SIZES["tiny"], normalisers)
     bank = tk.training.make_bank(model, train)
-    found = comparison.shared_error(model, bank, test, scale)["Zombie"]
-    p, z = model.observe(test.phases["Zombie"], test.outputs["Zombie"])
-    made, total, count = model.predict(test.inputs["Zombie"], p, bank["Zombie"]), 0.0, 0
-    for block in comparison.SHARED:
-        own, std = model.layout.outputs[block], scale.std[data.layout.outputs[block]]
-        total += float((((made - z)[:, own] / std) ** 2).sum())
-        count += len(z) * len(std)
-    assert found == pytest.approx(total / count, rel=1e-4)
-    torch.nn.init.zeros_(model.experts.layers[-1].weight)  # now it predicts the mean
+    torch.nn.init.zeros_(model.experts.layers[-1].weight)
     error = models.average(list(comparison.shared_error(model, bank, test, scale).values()))
     assert error == pytest.approx(comparison.shared_baselines(data, 0.1, 0)["mean"], rel=1e-4)
 

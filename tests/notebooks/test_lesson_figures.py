@@ -58,10 +58,6 @@ def test_line_figure_has_a_step_and_a_frame_for_each_blend():
     assert drawn == 2 * sum(parent >= 0 for parent in model.layout.parents)
 
 
-def test_colours_never_repeat():
-    assert len(set(charts.colours(40))) == 40
-
-
 def test_losses_page_needs_every_set_and_numbers_them_as_its_switches_do():
     with pytest.raises(ValueError, match="32 sets"):
         losses_page.losses_page(plane.Toy(plane.SWITCHES[:2]))

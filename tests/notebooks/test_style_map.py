@@ -52,13 +52,10 @@ def test_the_blend_at_a_place_reproduces_the_place(explorer):
     assert explorer.blend_at(2.0, -3.0) == pytest.approx({"Neutral": 0.5, "Zombie": 0.5})
 
 
-def test_a_click_plays_the_style(explorer):
+def test_a_click_plays_the_style_and_a_drag_the_blend_once(explorer):
     explorer.map._handle_custom_msg({"style": "Old"}, [])  # as the page sends it
     assert explorer.played[-1] == {"Old": 1.0}
     assert explorer.map.place == pytest.approx([0.0, 4.0])
-
-
-def test_a_drag_plays_the_blend_once(explorer):
     before = len(explorer.played)
     explorer.map.place = [2.0, 0.0]  # as the page sets it
     assert len(explorer.played) == before + 1
@@ -69,6 +66,7 @@ def test_a_drag_plays_the_blend_once(explorer):
     explorer.map.place = [float("nan"), 1.0]
     assert explorer.map.place == pytest.approx([2.0, 0.0], abs=1e-6)
     assert len(explorer.played) == played
+    assert explorer.still()[:4] == b"\x89PNG"
 
 
 def test_menus_triangle_and_weights_move_the_ring(explorer):
@@ -78,10 +76,6 @@ def test_menus_triangle_and_weights_move_the_ring(explorer):
     assert explorer.map.place == pytest.approx([4.0, 0.0])
     with pytest.raises(ValueError, match="unknown style"):
         explorer.weights = {"Zombi": 1}
-
-
-def test_its_still_is_the_map(explorer):
-    assert explorer.still()[:4] == b"\x89PNG"
 
 
 def test_points_on_a_line_make_no_map(walk_clip):
