@@ -209,8 +209,7 @@ def test_real_people_walk_where_they_face(recordings):
 def test_the_verb_lists_and_says_what_is_wrong_in_one_line(small, capsys, monkeypatch):
     monkeypatch.setenv("RANK", "1")  # a variable of other programs silences nothing
     shown = warnings.showwarning
-    with pytest.raises(SystemExit, match=r"^0$"):
-        main(["data", "list", "100style", "--root", str(small)])
+    assert main(["data", "list", "100style", "--root", str(small)]) == 0
     printed = capsys.readouterr().out.split()
     assert printed == ["Old", "BR", "1,", "FW", "1", "Zombie", "FW", "1"]
     assert main(["data", "list", "100styl"]) == 2

@@ -83,13 +83,6 @@ def left(root: Path) -> list[str]:
     return sorted(p.name for p in root.parent.iterdir() if not p.name.endswith(".lock"))
 
 
-def status(*arguments: str) -> int:
-    try:
-        return main(["data", *arguments])
-    except SystemExit as stop:
-        return stop.code
-
-
 def test_fetched_data_is_found_without_a_root(root, server, capsys, members):
     assert not tk.datasets.available("100style")
     known = get()
@@ -104,7 +97,7 @@ def test_fetched_data_is_found_without_a_root(root, server, capsys, members):
             if name.startswith("100STYLE") and name.endswith((".bvh", ".csv", ".txt"))}
     there = {p.relative_to(root).as_posix(): p.read_bytes() for p in root.rglob("*") if p.is_file()}
     assert there == kept | {fetch.RECORD: (root / fetch.RECORD).read_bytes()}
-    assert status("list", "100style") == 0
+    assert main(["data", "list", "100style"]) == 0
     assert capsys.readouterr().err == f"100style: {root}\n"
     styles = [clip.style for clip in tk.datasets.load("100style")]
     assert styles == ["ProceduralNeutral", "ProceduralZombie"]
@@ -182,7 +175,7 @@ def test_single_styles_are_read_out_of_the_archive_on_the_server(root, server, c
     assert get(styles=[ALL[1]]) == known  # there already
     assert len(server.requests) == asked
     # another one is added; the whole dataset replaces both
-    assert status("fetch", "100style", "--yes", "--styles", ALL[0]) == 0
+    assert main(["data", "fetch", "100style", "--yes", "--styles", ALL[0]]) == 0
     assert "size   about 15 MB of" in capsys.readouterr().out
     assert {clip.style for clip in tk.datasets.load("100style")} == set(ALL)
     assert fetch.record(root)["styles"] == list(ALL)
@@ -276,7 +269,7 @@ def test_a_wrong_checksum_is_refused_and_the_file_removed(root, server, capsys):
     right, wrong = server.content, bytearray(server.content)
     wrong[-1] ^= 1
     server.content = bytes(wrong)
-    assert status("fetch", "100style", "--yes") == 2
+    assert main(["data", "fetch", "100style", "--yes"]) == 2
     said = capsys.readouterr().err
     assert said.count("\n") == 1
     assert re.search(rf"{sha256(right)}.*{sha256(wrong)}.*refused \(removed;", said)
@@ -312,7 +305,7 @@ def test_a_damaged_record_is_said_in_one_line(root, capsys):
     record = (root / fetch.RECORD).read_text()
     for text in ("7", record[:-9]):
         (root / fetch.RECORD).write_text(text)
-        assert status("fetch", "100style") == 2
+        assert main(["data", "fetch", "100style"]) == 2
         said = capsys.readouterr().err
         assert f"{fetch.RECORD}: damaged; move the folder away to fetch it again" in said
         assert said.count("\n") == 1
@@ -399,7 +392,7 @@ def test_two_at_once_do_not_mix(root):
 
 
 def test_the_command_shows_size_and_terms_and_asks(root, server, capsys, monkeypatch):
-    assert status("fetch", "100style") == 2
+    assert main(["data", "fetch", "100style"]) == 2
     printed = capsys.readouterr()
     shown = rf"from +{server.url}\n +size .*\n +terms +CC BY 4.0.*\n +into +{root}\n"
     assert re.search(shown, printed.out)
@@ -408,10 +401,10 @@ def test_the_command_shows_size_and_terms_and_asks(root, server, capsys, monkeyp
         keyboard = io.StringIO(f"{answer}\n")
         keyboard.isatty = lambda: True
         monkeypatch.setattr(sys, "stdin", keyboard)
-        assert status("fetch", "100style") == code
+        assert main(["data", "fetch", "100style"]) == code
         assert root.exists() == (answer == "y")
     assert "(as published)" in capsys.readouterr().out
-    assert status("fetch", "100style") == 0
+    assert main(["data", "fetch", "100style"]) == 0
     assert "is there already" in capsys.readouterr().out
 
 
@@ -420,7 +413,7 @@ def test_the_command_shows_size_and_terms_and_asks(root, server, capsys, monkeyp
     (["bandai", "--sha256", "abc"], "--sha256 expects 64 hexadecimal digits, got 'abc'"),
 ])
 def test_bad_arguments(arguments, problem, capsys):
-    assert status("fetch", *arguments) == 2
+    assert main(["data", "fetch", *arguments]) == 2
     assert capsys.readouterr().err == f"error: {problem}\n"
 
 

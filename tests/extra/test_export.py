@@ -20,14 +20,6 @@ from toolkit.view.render import mannequin as body
 DOCS = Path(__file__).parents[2] / "docs"
 
 
-def called(arguments: str) -> int:
-    """Exit status of the command line."""
-    try:
-        return main(arguments.split())
-    except SystemExit as done:
-        return done.code
-
-
 @pytest.fixture(scope="module")
 def zombie() -> tk.Clip:
     clips = tk.datasets.load("procedural", styles=["Zombie"], gaits=["FW"], seconds=3.0)
@@ -299,7 +291,7 @@ def test_the_command_line_writes_clips(tmp_path, zombie, capsys):
     tk.bvh.save(zombie, source)
     for suffix in ("glb", "bvh", "html"):
         out = tmp_path / "new" / f"walk.{suffix}"
-        assert called(f"export clip {source} --out {out} --skeleton 100style") == 0
+        assert main(f"export clip {source} --out {out} --skeleton 100style".split()) == 0
         assert out.stat().st_size > 10_000
         assert f"wrote {out}" in capsys.readouterr().out
     seen = seen_by_vtk(tmp_path / "new" / "walk.glb", 0.5)
@@ -331,12 +323,12 @@ def test_bad_input_gets_one_line_and_leaves_nothing(tmp_path, zombie, capsys):
         f"clip {source} --out {new}/a.glb --skeleton cmu": "is one of 100style, or a file; got",
         f"onnx --out {new}/a.onnx --model {source}": "not a whole safetensors",
     }.items():
-        assert called(f"export {arguments}") == 2
+        assert main(f"export {arguments}".split()) == 2
         line = capsys.readouterr().err.strip()
         assert said in line
         assert "\n" not in line
     (tmp_path / "folder.glb").mkdir()
-    assert called(f"export clip {source} --out {tmp_path}/folder.glb") == 2
+    assert main(f"export clip {source} --out {tmp_path}/folder.glb".split()) == 2
     assert "is a folder" in capsys.readouterr().err
     assert {p.name for p in tmp_path.iterdir()} == {"cut.bvh", "folder.glb", "zombie.bvh"}
     bank = StyleBank(("a",), torch.zeros(1, 3))

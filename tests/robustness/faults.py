@@ -60,10 +60,7 @@ for words in (
     "train --data store --small --epochs 0.05 --refit 0 --out run.safetensors",
     "rollout --model run.safetensors --style ProceduralNeutral --seconds 1 --out own.bvh",
 ):
-    try:
-        statuses.append(main(words.split()))
-    except SystemExit as stopped:
-        statuses.append(stopped.code or 0)
+    statuses.append(main(words.split()))
 left = [str(path) for path in pathlib.Path().rglob(".*.partial")]
 assert not left or sys.argv[2] != "1", left  # another process may still write
 print(json.dumps(statuses))

@@ -3,7 +3,6 @@ without harm.
 """
 
 import asyncio
-import contextlib
 import json
 import os
 import re
@@ -93,9 +92,7 @@ def test_a_description_of_more_than_16_megabytes_is_refused_before_it_is_parsed(
 
 @pytest.mark.parametrize("seconds", ["1e7", "nan"])
 def test_a_rollout_without_end_is_refused_before_it_starts(seconds, capsys):
-    with pytest.raises(SystemExit) as stopped:
-        main(["rollout", "--style", "Neutral", "--out", "never.bvh", "--seconds", seconds])
-    assert stopped.value.code == 2
+    assert main(f"rollout --style Neutral --out never.bvh --seconds {seconds}".split()) == 2
     assert "--seconds" in capsys.readouterr().err
     with pytest.raises(ValueError, match=r"at most 86400|finite and seconds not negative"):
         tk.runtime.straight(1.0, float(seconds))
@@ -360,8 +357,7 @@ def test_names_of_files_that_are_read_and_written_are_printed_without_control_ch
     tk.bvh.save(walk_clip, bad)
     for words in (["inspect", str(bad)], ["export", "clip", str(bad), "--out", f"{bad}.glb"],
                   ["rollout", "--style", "Old", "--seconds", "0.1", "--out", str(bad)]):
-        with contextlib.suppress(SystemExit):
-            assert main(words) == 0
+        assert main(words) == 0
         said = capsys.readouterr()
         assert "\\x1b[31m\\u202e" in said.out
         assert not {"\x1b", "\u202e"} & {*said.out, *said.err}

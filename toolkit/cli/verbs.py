@@ -113,7 +113,9 @@ def execute(app: TyperGroup, arguments: list[str] | None = None) -> int:
         sys.stdout.reconfigure(errors="replace")
     try:
         with _notices():
-            app(arguments, standalone_mode=True)
+            app(arguments)
+    except SystemExit as ended:
+        return ended.code or 0
     except (ValueError, OSError, ImportError) as error:
         place, why = getattr(error, "filename", None), getattr(error, "strerror", None)
         _print_error(f"error: {place}: {why}" if place and why else f"error: {error}")

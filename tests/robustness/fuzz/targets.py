@@ -296,10 +296,7 @@ def _cli(folder: Path) -> list[Reader]:
                            contextlib.redirect_stderr(err),
                            mock.patch.dict("os.environ", TOOLKIT_DATA=str(folder / "none")), *idle):
                 around.enter_context(change)
-            try:
-                status = command_line.main(json.loads(path.read_bytes()))
-            except SystemExit as ended:
-                status = ended.code or 0
+            status = command_line.main(json.loads(path.read_bytes()))
         said = err.getvalue()
         assert status in (0, 2), f"exit status {status}: {said[-200:]}"
         if status and any(sign in said + out.getvalue() for sign in ("Usage:", "╭─ Error")):
