@@ -52,7 +52,7 @@ def loaded(code: str) -> set[str]:
 
 
 def test_import_alone_pulls_in_nothing_heavy():
-    heavy = {"torch", "numpy", "scipy", "numba", "lightning_fabric", "typer"}
+    heavy = {"torch", "numpy", "scipy", "numba", "lightning_fabric", "typer", "course"}
     assert not loaded("import toolkit") & (DRAWING | heavy)
 
 

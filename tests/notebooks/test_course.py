@@ -1,8 +1,6 @@
 """The frame of the notebooks: map, checked exercises, sentences, figures without a kernel."""
 
 import re
-import subprocess
-import sys
 from xml.etree import ElementTree
 
 import course
@@ -128,10 +126,3 @@ def test_the_grades_of_the_capstone_refuse_their_floors(fast):
                     for style in ("HighKnees", "Neutral", bank.vectors.mean(0)))
     assert own.verdict == "good"
     assert all(floor.verdict != "good" and floor.excess > own.excess for floor in floors)
-
-
-def test_importing_the_toolkit_does_not_import_the_course():
-    code = "import sys, toolkit; print('course' in sys.modules, 'plotly' in sys.modules)"
-    assert subprocess.check_output([sys.executable, "-c", code], text=True).split() == [
-        "False", "False"
-    ]

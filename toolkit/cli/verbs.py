@@ -115,7 +115,7 @@ def execute(app: TyperGroup, arguments: list[str] | None = None) -> int:
         with _notices():
             app(arguments)
     except SystemExit as ended:
-        return ended.code or 0
+        return int(ended.code or 0)
     except (ValueError, OSError, ImportError) as error:
         place, why = getattr(error, "filename", None), getattr(error, "strerror", None)
         _print_error(f"error: {place}: {why}" if place and why else f"error: {error}")
