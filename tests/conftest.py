@@ -41,13 +41,18 @@ def walk_clip() -> tk.Clip:
 
 
 @pytest.fixture(scope="session")
-def small_run() -> tk.training.Run:
+def two_styles() -> tk.features.Features:
+    """Features of ten seconds of each of two styles."""
+    return tk.features.build(tk.datasets.load(
+        "procedural", styles=["Neutral", "Zombie"], gaits=["FW"], seconds=10.0))
+
+
+@pytest.fixture(scope="session")
+def small_run(two_styles) -> tk.training.Run:
     """A model of two styles after a few steps: its weights are real, its motion is not yet."""
-    clips = tk.datasets.load("procedural", styles=["Neutral", "Zombie"], gaits=["FW"], seconds=10.0)
     sizes = tk.networks.Sizes(hidden=32, experts=4, gating=8, film_channels=8, film_kernel=5,
                               film_dense=16, dropout=0.0)
-    return tk.training.fit(tk.features.build(clips),
-                           tk.training.Config.quick(steps=60, sizes=sizes))
+    return tk.training.fit(two_styles, tk.training.Config.quick(steps=60, sizes=sizes))
 
 
 @pytest.fixture(scope="session")

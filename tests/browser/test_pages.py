@@ -1,5 +1,6 @@
 """Pages of clips, of characters of one's own and of the course, and what is named like HTML."""
 
+import re
 from pathlib import Path
 
 import course
@@ -9,6 +10,7 @@ import torch
 from course import (
     charts,
     feature_figures,
+    laboratory,
     losses_page,
     network_figures,
     pages as lessons,
@@ -180,6 +182,12 @@ def shown(visit, tmp_path):
     return open_
 
 
+@pytest.fixture
+def framed(shown):
+    """Opens what is in the frame of a `course.Page`."""
+    return lambda page: shown(page.html).frames[1]
+
+
 def figures() -> list:
     """The figures of the course with sliders."""
     clip, known = procedural.truth("Neutral", "FW", 6.0)
@@ -242,9 +250,9 @@ def test_the_ankle_follows_the_pointer(shown):
     assert 0 < float(frame.locator("#angle").inner_text()) < 180
 
 
-def test_a_loss_that_is_switched_off_shows_its_stylizer(shown):
+def test_a_loss_that_is_switched_off_shows_its_stylizer(framed):
     toy = plane.Toy(plane.SWITCHES, seed=0).train(20)
-    frame = shown(course.show(losses_page.losses_page(toy), 460).html).frames[1]
+    frame = framed(course.show(losses_page.losses_page(toy), 460))
     frame.wait_for_selector("#table td")
 
     def table() -> dict:
@@ -261,3 +269,41 @@ def test_a_loss_that_is_switched_off_shows_its_stylizer(shown):
         assert table() == pytest.approx(wanted, abs=0.006), off
         frame.locator(f"#{off}").click()
         assert table() == every
+
+
+def turn(page, slider: str, value: float) -> None:
+    page.evaluate("([id, value]) => { const x = document.getElementById(id); x.value = value; "
+                  "x.dispatchEvent(new Event('input')); }", [slider, value])
+
+
+def test_both_sliders_of_a_hidden_layer_act_together(framed):
+    page = framed(network_figures.modulation(torch.linspace(-2, 2, 32)))
+    drawn = []
+    for slider, value in (("g", 2), ("b", 1), ("g", 1), ("b", 0)):
+        turn(page, slider, value)
+        drawn.append(page.evaluate("() => document.querySelector('canvas').toDataURL()"))
+    assert len(set(drawn)) == 4
+
+
+def test_sliders_of_the_laboratory_change_the_errors(framed):
+    page = framed(laboratory.sliders(6.0))
+
+    def errors():
+        return [int(x) for x in re.findall(r"(\d+)°", page.inner_text("#table"))]
+
+    good = errors()
+    assert max(good[:-2]) < 25
+    turn(page, "hand0", 0)
+    turn(page, "hand2", 1)  # how far to the left a hand is
+    assert errors()[-2] > good[-2]
+    assert errors()[-1] == good[-1]  # the feet have sliders of their own
+
+
+def test_the_blind_page_counts_answers_of_each_pair_once(framed):
+    clips = tk.datasets.load("procedural", styles=["Neutral", "Zombie"], gaits="FW", seconds=3.0)
+    page = framed(course.blind({"one": tuple(clips), "two": tuple(clips)}, "which is Neutral?"))
+    for _ in range(2):
+        page.locator("button").first.click()
+    assert page.inner_text("#ask") == "Done."
+    assert re.match(r"[012] of 2 right: between \d+ % and \d+ %", page.inner_text("#told"))
+    assert page.locator("button").first.is_disabled()

@@ -16,11 +16,9 @@ OTHERS = [name for name in networks.MODELS if not name.startswith("lpn")]
 SHARED = ("trajectory", "joints", "contacts")
 
 
-@pytest.fixture(scope="module")
-def data():
-    return tk.features.build(
-        tk.datasets.load("procedural", styles=["Zombie", "Neutral"], gaits=["FW"], seconds=8.0)
-    )
+@pytest.fixture
+def data(two_styles):
+    return two_styles
 
 
 def build(name: str, data: tk.features.Features) -> networks.Model:

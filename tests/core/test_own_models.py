@@ -19,17 +19,11 @@ TINY = Sizes(hidden=32, experts=4, gating=8, film_channels=8, film_kernel=5, fil
              dropout=0.0)
 
 
-@pytest.fixture(scope="module")
-def data():
-    return tk.features.build(tk.datasets.load(
-        "procedural", styles=["Neutral", "Zombie"], gaits=["FW"], seconds=10.0))
-
-
 @pytest.fixture(scope="module", params=NAMES)
-def run(request, data):
+def run(request, two_styles):
     """A model of `NAMES` after 90 steps; later tests of the same process do not know it."""
     runpy.run_path(str(EXAMPLES / f"{request.param.replace('-', '_')}.py"), run_name="own")
-    yield tk.training.fit(data, Config.quick(model=request.param, steps=90, sizes=TINY))
+    yield tk.training.fit(two_styles, Config.quick(model=request.param, steps=90, sizes=TINY))
     del registry._found[f"model.{request.param}"]
 
 
@@ -63,7 +57,7 @@ def test_its_file_names_the_module_and_runs_no_code(run, tmp_path, monkeypatch):
     assert "\n" not in str(e.value)
 
 
-def test_a_style_is_added_to_it(run, data):
+def test_a_style_is_added_to_it(run):
     (clip,) = tk.datasets.load("procedural", styles=["Penguin"], gaits=["FW"], seconds=8.0)
     new = tk.styles.fine_tune(run.model, clip, bank=run.bank, steps=8)
     assert new.method == "vector"

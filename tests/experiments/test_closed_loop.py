@@ -10,20 +10,15 @@ from experiments import closed_loop, tables
 from toolkit.runtime.life import PERIOD, alive, uniform
 
 
-@pytest.fixture(scope="module")
-def embedded():
-    model, bank = tk.pretrained()
-    return tk.runtime.compile(model), bank.select(["Neutral", "Zombie"])
-
-
 @pytest.mark.parametrize(("track", "most"), [
     ("1 m/s", {"direction": 2.0, "toes": 0.5, "raw": 4.0}),
     ("circle", {"toes": 0.5, "raw": 4.0}),
     ("stop", {"still": 0.05, "way": 1.0}), ("stand", {"still": 0.05, "way": 1.0}),
     ("turns", {"toes": 1.0, "knee": 35.0, "wrist": 8.0}),
 ])  # fmt: skip
-def test_characters_do_what_they_are_told(embedded, track, most):
-    for row in closed_loop.measured(*embedded, track):
+def test_characters_do_what_they_are_told(fast, track, most):
+    model, bank = fast
+    for row in closed_loop.measured(model, bank.select(["Neutral", "Zombie"]), track):
         assert {key: row[key] for key in most if row[key] > most[key]} == {}
         if track == "1 m/s":
             assert row["speed"] == pytest.approx(1.0, abs=0.1)
@@ -52,7 +47,7 @@ def test_measures_see_a_slide_a_pop_and_slow_motion(walk_clip):
     assert closed_loop.slow_motion(leans) > closed_loop.slow_motion(walk_clip) + 0.5
 
 
-def test_toes_before_their_lock_are_the_predictions(embedded):
+def test_toes_before_their_lock_are_the_predictions():
     """The compiled runtime does not give them; they follow from the state after the lock."""
     model, bank = tk.pretrained()
     state = tk.runtime.start(model, bank["Neutral"])

@@ -12,10 +12,10 @@ from toolkit.runtime import FPS
 HARMED = 1  # which character
 
 
-@pytest.fixture(scope="module")
-def pretrained():
-    model, bank = tk.pretrained()
-    return tk.runtime.compile(model), bank.select(bank.names[:4])
+@pytest.fixture
+def pretrained(fast):
+    model, bank = fast
+    return model, bank.select(bank.names[:4])
 
 
 class Harmed:
