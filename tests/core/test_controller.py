@@ -57,20 +57,6 @@ def test_the_stick_points_in_the_world_and_shift_runs(control):
         assert abs(speed[1]) < 0.3
 
 
-def test_a_frame_is_one_small_buffer(control):
-    hand(control, id=7, move=[0, 1])
-    control.advance(2)
-    content, buffer = control.sent[-1]
-    assert content == {"kind": "frame", "frame": 2, "input": 7}
-    numbers = np.frombuffer(buffer, np.float32)
-    joints = len(control._model.layout.skeleton)
-    assert len(numbers) == 3 + 4 * joints + 12 * 4 + 8 + 2
-    turns = numbers[3 : 3 + 4 * joints].reshape(-1, 4)
-    assert np.allclose(np.linalg.norm(turns, axis=1), 1, atol=1e-4)
-    now = 3 + 4 * joints + 6 * 4
-    assert np.allclose(numbers[now : now + 4], control.state.root[0], atol=1e-6)
-
-
 def test_the_speed_is_that_of_the_blend_until_another_is_set(trained):
     model, bank = trained
     control = Controller(model, bank)

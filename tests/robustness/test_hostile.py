@@ -2,7 +2,6 @@
 without harm.
 """
 
-import asyncio
 import json
 import os
 import re
@@ -130,31 +129,6 @@ def test_no_text_from_outside_reaches_html_as_html(walk_clip, tmp_path):
                     if text in json.dumps(figure.to_dict(), default=str)}
         assert "%{x}b" not in str([trace.hovertemplate for trace in figure.data])
     assert frontend.escape(PLANTED[0]) == "&lt;img src=x onerror=window.hacked=1&gt;"
-
-
-def test_an_error_in_a_widget_is_shown_as_text(walk_clip):
-    pytest.importorskip("ipywidgets")
-    from course.style_blender import StyleBlender
-
-    def fails(_blend):
-        raise ValueError(f"{PLANTED[0]}.bvh: cannot be read")
-
-    async def drag():
-        shown = StyleBlender(StyleBank(("A", "B", "C"), torch.eye(3)),
-                             lambda _blend: walk_clip.cut(0, 30), size=(160, 120))
-        shown._make_clip = fails
-        shown.triangle.weights = [0.0, 1.0, 0.0]
-        for _ in range(200):
-            await asyncio.sleep(0.02)
-            if "ValueError" in shown._status.value:
-                break
-        shown.close()
-        return shown._status.value
-
-    assert (
-        asyncio.run(drag()) == "<b>ValueError</b>: &lt;img src=x "
-                               "onerror=window.hacked=1&gt;.bvh: cannot be read"
-    )
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs pipes with names")
