@@ -32,7 +32,7 @@ GROUPS = {
     "networks": ("networks/experts.py networks/film.py", "networks adapters"),
     "frame": ("runtime/frame.py runtime/recording.py runtime/steering.py runtime/rules.py",
               "runtime compiled"),
-    "losses": ("training/loss.py stylization/losses.py", "training stylization"),
+    "losses": ("training/loss.py stylization/losses.py", "training held_out stylization"),
     "measures": ("evaluation/metrics/*.py evaluation/findings.py", "metrics report findings"),
     "shots": ("extra/shots/*.py", "shots"),
     "readers": ("io/bvh.py io/bvh_text.py extra/formats/*.py",
