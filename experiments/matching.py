@@ -21,7 +21,7 @@ MEASURES = {"recognised": ["recognised, %", 0, 100], "upright": ["upright, %", 0
             "speed": ["speed / asked", 2], "path": ["path, cm", 1, 100],
             "skate": ["skate", 1, 100], "skate_ik": ["skate with IK", 1, 100],
             "steps": ["steps/s", 2]}
-COLUMNS = {"model": ["model"], **MEASURES, "megabytes": ["MB", 1], "frame": ["ms a frame", 2]}
+COLUMNS = {"model": ["model"], **MEASURES, "megabytes": ["MB", 1], "frame": ["ms a prediction", 2]}
 
 
 def run(seconds: Annotated[float, typer.Option(help="Length of each procedural clip.")] = 10.0,

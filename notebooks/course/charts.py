@@ -129,7 +129,8 @@ def training_curves(
                               "s<extra></extra>",
             )
     return finish(
-        figure, title, 420, {"title": "step"}, {"title": "error", "type": "log", "dtick": "D2"}
+        figure, title, 420, {"title": "step"},
+        {"title": "loss, its terms, held-out error", "type": "log", "dtick": "D2"}
     )
 
 

@@ -51,3 +51,19 @@ def test_it_walks_as_fast_as_it_is_told(run):
     assert tk.metrics.speed(clip) == pytest.approx(speed, rel=0.3)
     with pytest.raises(ValueError, match="is not stored in a model file"):
         tk.training.Run(model, bank).save("x.safetensors")
+
+
+def test_it_plays_the_data_between_searches_and_a_jump_changes_no_pose_at_once(run):
+    _, model, bank = run
+    commands = tk.runtime.straight(0.4, 2.0)
+    states = list(tk.runtime.states(model, commands, bank.vectors))
+    rows = torch.stack([state.row for state in states])  # [F, 2]
+    plays = rows[1:] == rows[:-1] + model.follows[rows[:-1]].long()
+    assert 0.8 < plays.double().mean() < 1.0
+    assert (~plays).sum() <= 2 * (len(states) // matching.EVERY + 1)
+    # the frame after a jump lies near the one that the rows before it would have given
+    at, who = (~plays).nonzero()[-1].tolist()
+    old, new = states[at], states[at + 1]
+    kept = model.frames[rows[at, who] + 1] + old.offset[who]
+    gap = (model.frames[rows[at + 1, who]] + new.offset[who] - kept).abs()
+    assert gap.mean() < 0.3 * (model.frames[rows[at + 1, who]] - kept).abs().mean()

@@ -60,15 +60,15 @@ class NewStyles:
 
 def fine_tune(model: Predictor, clips: Clip | Sequence[Clip] | Features, name: str | None = None,
               bank: StyleBank | None = None, *, method: str | None = None, steps: int = STEPS,
-              mirror: bool = False, seed: int = 0, progress: bool = False) -> NewStyles:
+              mirror: bool = False, prior: float = PRIOR, seed: int = 0,
+              progress: bool = False) -> NewStyles:
     """Learn new styles from one or a few clips, without any change of the other styles.
 
     Departures from the paper, which fine-tunes with the settings of training: there are few steps,
     and the learning rate decays. As in `toolkit.training.Config.quick` some input poses are mixed
     with other poses (pose mix-up), here with poses of the model's own walks, so that a character
     can change to the new style from any other. And a penalty keeps a vector near those of the bank,
-    because one clip does not show all motions. Without the penalty the error on the clip is lower,
-    but the character slides.
+    because one clip does not show all motions.
 
     A share of the frames is held out (`HELD_OUT`). The error on half of them is measured every
     `EVERY` steps, and the best step is kept, which may be the initial one. The errors in the result
@@ -97,6 +97,8 @@ def fine_tune(model: Predictor, clips: Clip | Sequence[Clip] | Features, name: s
         Training steps per new style.
     mirror
         Learn from the mirror images of the clips, too; for symmetric styles.
+    prior
+        Weight λ of the penalty.
     seed
         The same seed gives the same vectors.
     progress
@@ -155,7 +157,7 @@ def fine_tune(model: Predictor, clips: Clip | Sequence[Clip] | Features, name: s
     before = error(reported)
     descent = _Descent(learnt, lambda: error(choosing), lambda: made().vectors)
     if method != "forward":
-        _descend(model, bank, kept, descent, vector, method, steps, seed, progress)
+        _descend(model, bank, kept, descent, vector, method, steps, prior, seed, progress)
     new, after, floors = made(), error(reported), baselines(model, reported)
     errors = {}
     for style in styles:
@@ -245,8 +247,8 @@ def _walks(model: Predictor, bank: StyleBank) -> Tensor:
 
 
 def _descend(model: Predictor, bank: StyleBank | None, data: Features, descent: _Descent,
-             vector: Callable[[int, Tensor], Tensor], method: str, steps: int, seed: int,
-             progress: bool) -> None:
+             vector: Callable[[int, Tensor], Tensor], method: str, steps: int, weight: float,
+             seed: int, progress: bool) -> None:
     """Train what is learnt and set it to its best step.
 
     ``vector(index of the style, clips)`` computes a vector ``[1, D]`` from it.
@@ -273,7 +275,7 @@ def _descend(model: Predictor, bank: StyleBank | None, data: Features, descent: 
         x, p, z, y = observed(model, x, p, z, y)
         style = vector(step % len(data.styles), y)
         prior = ((style - mean) / deviation).square().mean()
-        loss = sum(loss_terms(model, model(x, p, style), z)) + PRIOR * prior
+        loss = sum(loss_terms(model, model(x, p, style), z)) + weight * prior
         for tensor, gradient in zip(learnt, torch.autograd.grad(loss, learnt), strict=True):
             tensor.grad = gradient
         torch.nn.utils.clip_grad_norm_(learnt, MAX_GRADIENT)
