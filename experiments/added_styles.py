@@ -98,8 +98,9 @@ def clips(root: Path, take: int) -> list[Path]:
 def judged(net: Run, clip: Clip) -> dict[str, styles.Comparison]:
     """Comparisons by `WAYS`."""
     made = styles.fine_tune(net.model, clip, "new", net.bank, steps=STEPS)
-    best = styles.learn(net.model, net.bank, [clip], "new", steps=STEPS)
+    walk = best = styles.choose(made, clip)[1]
+    if walk.verdict != "good":  # else `learn` stops after the same way
+        best = styles.learn(net.model, net.bank, [clip], "new", steps=STEPS).compared
     nearest = made.bank.nearest("new", 1)[0][0]
-    return {"error": styles.compare(clip, made.model, "new", made.bank),
-            "walk": styles.choose(made, clip)[1], "learn": best.compared,
-            "floor": styles.compare(clip, net.model, nearest, net.bank)}
+    return {"error": styles.compare(clip, made.model, "new", made.bank), "walk": walk,
+            "learn": best, "floor": styles.compare(clip, net.model, nearest, net.bank)}

@@ -347,10 +347,11 @@ def test_a_style_walks_as_its_clip_and_another_one_does_not(zombie, fast, monkey
     other = tk.styles.compare(zombie, model, "Old", bank)
     assert other.verdict != "good"
     assert other.rows["style"]["posture"] > 2 * own.rows["style"]["posture"]
-    # its posture is nearer to the clip's than that of the nearest floor
-    near = {"clip": 0.0, "style": 4.0, "a": 10.0, "b": 20.0}
-    near = {name: {"posture": apart} for name, apart in near.items()}
-    assert comparison.difference(near, "posture") == pytest.approx(4 / (comparison.POSTURE * 10))
+    # its posture is nearer to the clip's than that of the nearest floor, and near enough to see it
+    for floor, limit in ((8.0, comparison.POSTURE * 8), (20.0, comparison.FAR)):
+        near = {"clip": 0.0, "style": 4.0, "a": floor, "b": 30.0}
+        near = {name: {"posture": apart} for name, apart in near.items()}
+        assert comparison.difference(near, "posture") == pytest.approx(4 / limit)
     # two steps each, whatever the rhythm
     lengths = {name: 2 / own.rows[name]["steps"] for name in own.rows}
     for name, cycle in own.cycles().items():
@@ -364,6 +365,8 @@ def test_a_broken_style_fails_and_says_why(zombie):
     assert broken.verdict == "failed"
     assert broken.reasons
     assert "failed: " in str(broken)
+    # a weak style is better, however much is missing
+    assert dataclasses.replace(broken, verdict="weak", excess=99.0).rank() < broken.rank()
 
 
 def test_the_commands_lead_along_the_path_of_the_clip(monkeypatch):
@@ -381,6 +384,16 @@ def test_the_commands_lead_along_the_path_of_the_clip(monkeypatch):
     went = comparison.turned(at[:frames], towards.expand(frames))
     assert way[:frames].norm(dim=-1).max() > 3
     assert (went - way[:frames]).norm(dim=-1).max() < 0.25
+
+
+def test_a_walk_repeats_itself_where_its_tempo_changes(zombie):
+    # from 0.75 to 1.25 times the tempo and back in six seconds
+    time = torch.arange(len(zombie) - 1) / zombie.fps
+    at = time - torch.sin(time * 2 * torch.pi / 6) * 0.25 * 6 / (2 * torch.pi)
+    frames = (at * zombie.fps).round().long().clamp(0, len(zombie) - 1)
+    slow = zombie.replace(rotations=zombie.rotations[frames],
+                          root_positions=zombie.root_positions[frames])
+    assert not tk.styles.not_a_walk(slow)
 
 
 @pytest.mark.parametrize(("change", "why"), [

@@ -9,7 +9,7 @@ import typer
 
 from toolkit import registry, runtime
 from toolkit.cli import motion_files
-from toolkit.cli.verbs import Published, Roles, Seed, TrainedRun, Unit, Up, say
+from toolkit.cli.verbs import Animation, Published, Roles, Seed, TrainedRun, Unit, Up, say
 from toolkit.evaluation.findings import told
 from toolkit.io import model_files, save as saving
 from toolkit.io.files import below
@@ -43,6 +43,7 @@ def add(
     unit: Unit = "auto",
     up: Up = "auto",
     roles: Roles = None,
+    animation: Animation = None,
 ) -> None:
     """Learn a style from one clip or more of at least 2 s, better 4 s; nothing else changes.
 
@@ -51,8 +52,8 @@ def add(
 
     Motion of another rig is retargeted to the model's skeleton. The clips are learnt as they are,
     and with their mirror images if the walk is not good. A model that has its FiLM generator
-    fine-tunes a copy of it; if the walk is not good, only the style vector is optimised, as always
-    for a model that was stored without generator, such as the embedded one.
+    fine-tunes a copy of it; if the walk is not good, or a model has none, such as the embedded one,
+    only the style vector is optimised.
 
     Without --model and --published, the style is learnt on each model that is there: procedural,
     recorded, and published, if its files were fetched. The one where it walks best is written.
@@ -73,7 +74,7 @@ def add(
         if not isinstance(parts.setdefault("added", []), list):
             raise ValueError(f"{model}: its list of added styles is damaged")
         say(f"{base or 'published'}:")
-        shown = [fitted(motion_files.read(file, unit, up, roles), network, bank)
+        shown = [fitted(motion_files.read(file, unit, up, roles, animation), network, bank)
                  for file in files]
         for clip in shown:
             if (why := not_a_walk(clip)) and not anyway:
@@ -84,7 +85,7 @@ def add(
         say(str(best.compared))
         say(told(best.compared.clips["style"]))
         learnt.append((best, base, tensors, parts))
-    best, base, tensors, parts = min(learnt, key=lambda one: one[0].compared.excess)
+    best, base, tensors, parts = min(learnt, key=lambda one: one[0].compared.rank())
     if len(learnt) > 1:
         say(f"The style walks best on the model {base or 'published'}.")
     if str(base) == "recorded":
@@ -119,10 +120,7 @@ def _report(made: NewStyles, name: str) -> None:
     error = made.held_out[name]
     say("Held-out frames: mean squared error {before:.3f} before, {after:.3f} after; {repeat:.3f} "
         "by repeating the frame, {mean:.3f} by the mean".format(**error))
-    if not made.best and made.losses:
-        say("Adding did not help: no step was better than the start, and the start was kept. Use "
-            "more or longer clips.")
-    elif error["after"] >= error["before"]:
+    if error["after"] >= error["before"]:
         say("Adding did not help on these frames, which did not choose the step: use more or "
             "longer clips.")
 

@@ -25,17 +25,18 @@ from toolkit.styles.fine_tuning import STEPS, NewStyles, fine_tune
 SECONDS, LONGEST = 6.0, 12.0  # of a walk that is compared: at least, and at most
 WARM_UP = 2.0  # seconds before it
 SMOOTH = 0.5  # seconds over which a clip's velocity and facing are averaged into commands
-CYCLE = 0.4, 2.5  # seconds that two steps may last
-WINDOW = 4.0  # seconds in which a cycle is compared with the next one
+CYCLE = 0.4, 2.0  # seconds that two steps may last
+WINDOW = 3.0  # seconds in which a cycle is compared with the next one
 #: What a walk has at least: seconds, m/s, and the correlation of a cycle with the next one.
-SHORTEST, SLOWEST, PERIODIC = 1.9, 0.3, 0.74
+SHORTEST, SLOWEST, PERIODIC = 1.9, 0.3, 0.7
 #: Largest differences from the clip of a good walk, relative for speed and steps; twice as much
-#: is a failure. Its posture has at most so large a share of a floor's distance, or at most `CLOSE`
-#: cm, and its range is at most so many times the clip's, or smaller.
+#: is a failure. Its posture has at most so large a share of a floor's distance, but `CLOSE` cm are
+#: always enough and `FAR` never. Its range is at most so many times the clip's, or smaller.
 LIMITS = {"speed": 0.25, "direction": 15.0, "steps": 0.2, "slower foot": 8.0, "hips": 6.0}
-POSTURE, CLOSE, RANGE = 0.8, 2.0, 2.2
-#: Shares of the way from the start of a training to its best vector, tried where that is not good.
+POSTURE, CLOSE, FAR, RANGE = 0.8, 2.0, 7.0, 2.2
+#: Shares of the way from the start of a training to its best vector, tried if none is good.
 SHARES = 0.6, 0.8, 1.2, 1.4
+VERDICTS = "good", "weak", "failed"
 UNITS = {"speed": "m/s", "direction": "°", "steps": "1/s", "slower foot": "cm/s", "hips": "cm",
          "posture": "cm", "range": "cm"}
 
@@ -51,7 +52,7 @@ class Comparison:
     its second half from its first); ``range``, deviation of hands and spine from their mean, cm.
     """
 
-    verdict: str  # good, weak or failed
+    verdict: str  # one of `VERDICTS`
     reasons: tuple[str, ...]  # why it is not good
     excess: float  # the largest difference, as a share of what a good walk may have
     rows: dict[str, dict[str, float]]
@@ -63,6 +64,10 @@ class Comparison:
             lines.append(f"{name[:16]:<16}" + "".join(f"{row[what]:>18.2f}" for what in UNITS))
         reasons = "; ".join(self.reasons)
         return "\n".join([*lines, f"{self.verdict}: {reasons}" if reasons else self.verdict])
+
+    def rank(self) -> tuple[int, float]:
+        """Sorts comparisons, the best first: no failure before a weak style."""
+        return VERDICTS.index(self.verdict), self.excess
 
     def cycles(self) -> dict[str, Clip]:
         """Two steps of each motion, from a landing of the right foot, for pictures side by side.
@@ -114,7 +119,7 @@ def learn(model: Predictor, bank: StyleBank, clips: Sequence[Clip], name: str, *
 
     The ways are the default of `fine_tune`, the same with the mirror images of the clips, and, for
     a model that has its FiLM generator, the style vector alone. Of each, `choose` takes the vector
-    that walks most like the clip. The way with the smallest excess is kept.
+    that walks most like the clip. The best way is kept.
 
     Parameters and errors are those of `fine_tune` and `choose`.
     """
@@ -128,7 +133,7 @@ def learn(model: Predictor, bank: StyleBank, clips: Sequence[Clip], name: str, *
         tried.append(Learnt(made, *choose(made, longest, anyway=anyway), mirror="mirror" in way))
         if tried[-1].compared.verdict == "good":
             break
-    return min(tried, key=lambda one: one.compared.excess)
+    return min(tried, key=lambda one: one.compared.rank())
 
 
 def choose(made: NewStyles, clip: Clip, *, anyway: bool = False) -> tuple[StyleBank, Comparison]:
@@ -144,13 +149,17 @@ def choose(made: NewStyles, clip: Clip, *, anyway: bool = False) -> tuple[StyleB
     vectors = torch.cat([made.bank[name][None], made.tried[:, 0]])
     floors = _floors(made.bank, made.bank[name], name)
     found = _compared(clip, made.model, vectors, made.bank, floors, anyway)
-    best = min(range(len(found)), key=lambda i: found[i].excess)
+    best = min(range(len(found)), key=lambda i: found[i].rank())
     if found[best].verdict != "good":
+        start = made.tried[0]
+        # the line needs another end than its start, even if this one walks best
+        others = (i for i in range(len(found)) if not torch.equal(vectors[i], start[0]))
+        end = min(others, key=lambda i: found[i].rank(), default=best)
         line = torch.tensor(SHARES, dtype=vectors.dtype)[:, None]
-        line = torch.lerp(made.tried[0], vectors[best, None], line)
+        line = torch.lerp(start, vectors[end, None], line)
         vectors = torch.cat([vectors, line])
         found += _compared(clip, made.model, line, made.bank, floors, anyway)
-        best = min(range(len(found)), key=lambda i: found[i].excess)
+        best = min(range(len(found)), key=lambda i: found[i].rank())
     kept = made.bank.vectors.clone()
     kept[made.bank.names.index(name)] = vectors[best]
     return StyleBank(made.bank.names, kept, made.bank.speeds), found[best]
@@ -193,7 +202,7 @@ def difference(rows: Mapping[str, Mapping[str, float]], what: str) -> float:
     clip, style = rows["clip"][what], rows["style"][what]
     if what == "posture":
         floors = [row[what] for name, row in rows.items() if name not in ("clip", "style")]
-        return style / max(POSTURE * min(floors, default=math.inf), CLOSE)
+        return style / min(max(POSTURE * min(floors, default=math.inf), CLOSE), FAR)
     if what == "range":
         return abs(math.log(style / clip)) / math.log(RANGE)
     if what == "direction":
@@ -209,7 +218,7 @@ def against(rows: Mapping[str, Mapping[str, float]], what: str) -> str:
         return f"the clip's {rows['clip'][what]:.1f}"
     near = min((name for name in rows if name not in ("clip", "style")),
                key=lambda name: rows[name][what])
-    return f"{near}'s {rows[near][what]:.1f}"
+    return f"{near}'s {rows[near][what]:.1f}, at most {FAR:g}"
 
 
 def not_a_walk(clip: Clip) -> str:

@@ -33,7 +33,7 @@ MIX_UP = 0.5  # share of frames with a pose mix-up
 WALK = 1.0, 3.0  # speed in m/s and seconds of the walks whose poses are mixed in
 PRIOR = 0.15  # weight of the mean squared z-score of a vector among the bank's
 SPREAD = 0.3  # standard deviation of style vectors without a bank
-HELD_OUT = 0.2  # share of each new style's frames: half of them choose the step, half are reported
+HELD_OUT = 0.2  # share of each new style's frames
 EVERY = 40  # steps per new style between two measurements of the held-out error
 MAX_GRADIENT = 1.0  # norm to which gradients are clipped
 
@@ -72,7 +72,7 @@ def fine_tune(model: Predictor, clips: Clip | Sequence[Clip] | Features, name: s
 
     A share of the frames is held out (`HELD_OUT`). The error on half of them is measured every
     `EVERY` steps, and the best step is kept, which may be the initial one. The errors in the result
-    are those of the other half, which played no part in this choice. ``before`` is the error with
+    are those of the other half. ``before`` is the error with
     the best style of the bank (method ``"vector"``) or with the vector that the generator computes
     without fine-tuning; ``mean`` and ``repeat`` are those of `toolkit.training.loss.baselines`.
     Clips that are too short to hold frames out keep the last step.
@@ -91,8 +91,7 @@ def fine_tune(model: Predictor, clips: Clip | Sequence[Clip] | Features, name: s
         penalty, and the initial vector of the method ``"vector"``: its best style on the clips. The
         new styles are added to it.
     method
-        One of `METHODS`; by default ``"generator"`` if the model has one, else ``"vector"``, which
-        also works for a model that was stored without its generator, such as the embedded one.
+        One of `METHODS`; by default ``"generator"`` if the model has one, else ``"vector"``.
     steps
         Training steps per new style.
     mirror
