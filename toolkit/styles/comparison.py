@@ -34,7 +34,7 @@ SHORTEST, SLOWEST, PERIODIC = 1.9, 0.3, 0.7
 #: always enough and `FAR` never. Its range is at most so many times the clip's, or smaller.
 LIMITS = {"speed": 0.25, "direction": 15.0, "steps": 0.2, "slower foot": 8.0, "hips": 6.0}
 POSTURE, CLOSE, FAR, RANGE = 0.8, 2.0, 7.0, 2.2
-#: Shares of the way from the start of a training to its best vector, tried if none is good.
+#: Shares of the way from the start of a training to its best vector.
 SHARES = 0.6, 0.8, 1.2, 1.4
 VERDICTS = "good", "weak", "failed"
 UNITS = {"speed": "m/s", "direction": "°", "steps": "1/s", "slower foot": "cm/s", "hips": "cm",
@@ -66,7 +66,7 @@ class Comparison:
         return "\n".join([*lines, f"{self.verdict}: {reasons}" if reasons else self.verdict])
 
     def rank(self) -> tuple[int, float]:
-        """Sorts comparisons, the best first: no failure before a weak style."""
+        """Sorts comparisons, the best first."""
         return VERDICTS.index(self.verdict), self.excess
 
     def cycles(self) -> dict[str, Clip]:
@@ -152,7 +152,7 @@ def choose(made: NewStyles, clip: Clip, *, anyway: bool = False) -> tuple[StyleB
     best = min(range(len(found)), key=lambda i: found[i].rank())
     if found[best].verdict != "good":
         start = made.tried[0]
-        # the line needs another end than its start, even if this one walks best
+        # even if the start walks best, the line needs another end
         others = (i for i in range(len(found)) if not torch.equal(vectors[i], start[0]))
         end = min(others, key=lambda i: found[i].rank(), default=best)
         line = torch.tensor(SHARES, dtype=vectors.dtype)[:, None]
@@ -324,24 +324,18 @@ def measures(walk: Clip, clip: Clip) -> dict[str, float]:
     way = roots.turn_to_local(contacts.velocities(roots.positions, walk.fps)).mean(0)
     toes = contacts.velocities(contacts.toes_of(walk), walk.fps).norm(dim=-1).amin(1)
     body, own = upper_body(walk), upper_body(clip)
+    seen = body
     if walk is clip:
         own, seen = body.split((len(body) + 1) // 2)
-    else:
-        seen = body
     return {
         "speed": pace(walk),
         "direction": math.degrees(math.atan2(float(way[0]), float(way[2]))),
         "steps": 2 * walk.fps / max(1, periodicity(walk)[1]),
         "slower foot": 100 * float(toes.mean()),
-        "hips": 100 * float(hips_height(walk).mean()),
+        "hips": 100 * float(walk.global_positions[:, walk.skeleton.role("hips"), 1].mean()),
         "posture": 100 * float((seen.mean(0) - own.mean(0)).norm(dim=-1).mean()),
         "range": 100 * float(body.var(0).sum(-1).sqrt().mean()),
     }
-
-
-def hips_height(clip: Clip) -> Tensor:
-    """Heights ``[F]`` of the hips, metres."""
-    return clip.global_positions[:, clip.skeleton.role("hips"), 1]
 
 
 def upper_body(clip: Clip) -> Tensor:
