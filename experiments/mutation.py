@@ -161,10 +161,7 @@ def tests_pass(copy: Path, group: str, limit: float) -> bool:
 
 
 def survivors(copy: Path, group: str, mutants: int, seed: int, limit: float):
-    """Number of mutants tried in one group, and a list of those that no test saw.
-
-    Each is the file with the line's number, the line and what changed in it.
-    """
+    """Number of mutants tried in one group, and a list with a line for each that no test saw."""
     sources = [path for pattern in GROUPS[group][0].split()
                for path in sorted((copy / "toolkit").glob(pattern))]
     began = time.monotonic()
@@ -184,7 +181,9 @@ def survivors(copy: Path, group: str, mutants: int, seed: int, limit: float):
         path.write_text(ast.unparse(tree), encoding="utf-8")
         if tests_pass(copy, group, limit):
             line = text.decode().splitlines()[node.lineno - 1].strip()
-            unseen.append((f"{path.relative_to(copy)}:{node.lineno}", line, change))
+            why = EQUIVALENT.get((line, change), "no test sees it")
+            unseen.append(f"{path.relative_to(copy)}:{node.lineno}: {change} ({why})")
+            print(f"  {unseen[-1]}\n    {line}", flush=True)
         path.write_bytes(text)
     return len(chosen), unseen
 
@@ -209,14 +208,9 @@ def run(
         for name in group or GROUPS:
             tried, unseen = survivors(copy, name, mutants, seed, limit)
             print(f"{name}: {tried} mutants, {len(unseen)} survive", flush=True)
-            left = []
-            for where, line, change in unseen:
-                why = EQUIVALENT.get((line, change))
-                left.append(f"{where}: {change} ({why or 'no test sees it'})")
-                print(f"  {left[-1]}\n    {line}", flush=True)
-            equal = sum((line, change) in EQUIVALENT for _, line, change in unseen)
+            equal = sum("(no test sees it)" not in line for line in unseen)
             row = {"group": name, "mutants": tried, "detected": tried - len(unseen),
-                   "equivalent": equal, "survivors": "; ".join(left)}
+                   "equivalent": equal, "survivors": "; ".join(unseen)}
             if store:
                 tables.Result("mutation", f"Mutants of seed {seed}; tests without recordings.",
                               "python -m experiments mutation --store", COLUMNS, [row],

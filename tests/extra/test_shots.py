@@ -11,7 +11,7 @@ from hypothesis import given, strategies as st
 
 import toolkit as tk
 from experiments.tables import Result
-from toolkit.extra.shots import Scene, Shot, apart, pins
+from toolkit.extra.shots import Scene, Shot, apart, crowd, pins
 from toolkit.extra.shots.feasibility import arrival, beside
 from toolkit.extra.shots.following import FPS, Course, Curve
 
@@ -181,6 +181,14 @@ def test_a_dense_crowd_that_moves_a_frame_keeps_its_distance(characters, seed):
     assert np.array_equal(apart.parted(far, radii, np.zeros((0, 2, 2)), 0.5), far)
 
 
+def test_streams_start_in_rows_and_cross():
+    for k, shot in enumerate(crowd.streams(tk.pretrained().bank, 18).shots):
+        start, end = [(p.x, p.z) if k % 2 else (p.z, p.x) for p in shot.path]
+        column, row = divmod(k // 2, 4)
+        assert start == pytest.approx((-6 - 2.4 * column, 2.4 * (row - 1.5)), abs=0.16)
+        assert end[0] - start[0] == pytest.approx(2.4 * (3 + 4) + 2 * 6, abs=0.02)
+
+
 def test_places_near_a_wall_move_off_it():
     walls = np.array([[[-5.0, 0.6], [5.0, 0.6]]])
     moved = apart.parted(np.array([[0.0, 0.4], [2.0, -1.0]]), np.array([0.3, 0.3]), walls, 0.5)
@@ -274,8 +282,8 @@ def test_check_blames_the_pause_and_not_the_turn_before_it():
     bent = Shot([(0, 0), (0, 2), (1.5, 2.3), (3, 2)], "Neutral", [(0, 1.0)])
     held = dataclasses.replace(bent, holds=[{"distance": 2.3, "seconds": 2}])
     _, bank = tk.pretrained()
-    said = []
-    for shot in (bent, held):
+    said, straight = [], Shot([(0, 0), (0, 4)], "Neutral", [(0, 1.0)])
+    for shot in (bent, held, straight):
         plan = shot.plan(bank)
         curve = plan[0].curve
         ahead = [curve.point(at) for at in plan[0].distance[1:]]
@@ -284,6 +292,7 @@ def test_check_blames_the_pause_and_not_the_turn_before_it():
         said.append(next(x for x in shot.unmet(bank, plan, ahead) if "from the path" in x))
     assert "the turn after" in said[0]
     assert "does not stand still in the pause after 2.3 m" in said[1]
+    assert "Neutral does not keep to it" in said[2]
 
 
 def test_a_look_at_point_is_faced(embedded):
