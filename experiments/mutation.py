@@ -57,6 +57,8 @@ EQUIVALENT = {
         "NumPy takes any negative size for the missing one",
     ('TRACKS = {b"Lcl Translation": (0.0,) * 3, b"Lcl Rotation": (0.0,) * 3, '
      'b"Lcl Scaling": (1.0,) * 3}', "3 -> 4"): "only the first three are read",
+    ("for path, asked, clip in zip(paths, scene.shots, clips, strict=True):", "True -> False"):
+        "all are as many",
     ("for _ in range(30):", "30 -> 31"): "Newton takes at most 11 steps",
 }
 NOT_COPIED = shutil.ignore_patterns(".git", ".venv", "out", "build", "__pycache__", ".*_cache")

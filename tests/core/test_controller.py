@@ -192,7 +192,8 @@ def test_it_runs_while_a_page_looks_and_waits_otherwise(trained, monkeypatch):
         control._receive(control, {"kind": "seen", "frame": 14}, [])
         await until(lambda: control.status)
         assert control.status.startswith("stopped: ")
+        task = control._task
         control.close()
-        await until(control._task.done)
+        await until(task.done)
 
     asyncio.run(watch())

@@ -14,6 +14,7 @@ from experiments.tables import Result
 from toolkit.extra.shots import Scene, Shot, apart, crowd, pins
 from toolkit.extra.shots.feasibility import arrival, beside
 from toolkit.extra.shots.following import FPS, Course, Curve
+from toolkit.extra.shots.scene import _aimed
 
 S_PATH = Shot([(0, 0), (1, 2, 2.5), (-1, 4), (0, 6, 7.0)],
               [(0, "Neutral"), (2, "Neutral"), (3, {"Zombie": 0.5, "Neutral": 0.5})])
@@ -106,6 +107,7 @@ def test_bodies_keep_apart_by_the_reach_of_their_styles(embedded):
                               for s in states])
         nearest.append(float(torch.cdist(places[:, 0], places[:, 1]).min()))
     assert min(scene.radii) > 0.6  # of outstretched arms
+    assert scene.radii == [round(radius, 2) for radius in scene.radii]
     wider = scene.spaced(*embedded, bodies=0.8)
     assert wider.radii == pytest.approx([radius + 0.2 for radius in scene.radii], abs=0.011)
     assert nearest[0] < 0.25 < 0.3 < nearest[1]
@@ -157,6 +159,9 @@ def test_velocities_of_those_who_keep_apart():
     safe = apart.velocities(places, ahead, ahead, 0.4)
     assert safe[0, 0] * safe[1, 0] < 0  # each to its own side
     assert np.allclose(safe[0], -safe[1])
+    turn = np.array([[0.6, 0.8], [-0.8, 0.6]])  # the axes do not matter
+    assert np.allclose(apart.velocities(places @ turn, ahead @ turn, ahead @ turn, 0.4),
+                       safe @ turn)
     wide = apart.velocities(places, ahead, ahead, np.array([0.3, 0.9]))
     assert abs(wide[0, 0]) > abs(safe[0, 0])
     # they part: nothing to do
@@ -179,6 +184,18 @@ def test_a_dense_crowd_that_moves_a_frame_keeps_its_distance(characters, seed):
     assert np.linalg.norm(parted - moved, axis=-1).max() < 0.15
     far = 3 * grid  # nobody is too close
     assert np.array_equal(apart.parted(far, radii, np.zeros((0, 2, 2)), 0.5), far)
+
+
+def test_those_who_make_room_do_not_go_back():
+    course = Shot([(0, 0), (0, 9)], "Neutral", [(0, 1.0)]).plan(tk.pretrained().bank)[0]
+    for asked, wanted in (((0.0, -1.0), (0.0, 0.0)), ((0.8, 0.5), (0.0, 0.5))):
+        assert _aimed(course, 60, (0.0, 1.0), np.array(asked))[0] == pytest.approx(wanted)
+
+
+def test_a_place_within_reach_needs_no_other_path():
+    held = Shot([(0, 0), (0, 4)], "Neutral", pins=[{"at": 2, "left_hand": (0.3, 1.2, 2)}])
+    curve = held.plan(tk.pretrained().bank)[0].curve
+    assert max(abs(curve.point(at)[0]) for at in curve.at) < 1e-9
 
 
 def test_streams_start_in_rows_and_cross():
@@ -341,6 +358,7 @@ BAD = [
     ({"styles": [{"time": 0, "blend": "Old", "easing": "bounce"}]},
      "styles[0]: easing must be one of"),
     ({"speeds": [{"time": 0, "speed": -1}]}, "speeds[0]: speed must be a number from 0"),
+    ({"speeds": [{"time": 0, "speed": 21}]}, "speeds[0]: speed must be a number from 0 to 20"),
     ({"speeds": [{"time": 0, "speed": True}]}, "speeds[0]: speed must be a number"),
     ({"holds": [{"seconds": 1}]}, "holds[0]: a hold needs either"),
     ({"facing": [0, 1], "look_at": [1, 1]}, "either facing or look_at"),
@@ -411,7 +429,7 @@ def test_pins_are_reached_and_the_feet_and_the_frames_between_stay(embedded):
     assert pins.missed(PINNED.pins, made) == PINNED.check(model, bank) == []
     assert len(pins.missed(PINNED.pins, walk)) == 3
     assert len(tk.evaluation.defects(made)) <= len(tk.evaluation.defects(walk))
-    free = [f for f in frames if all(not p.at - pins.BLEND <= (f + 1) / FPS <= p.end + pins.BLEND
+    free = [f for f in frames if all(not p.at - 0.8 <= (f + 1) / FPS <= p.end + 0.8
                                      for p in PINNED.pins)]
     assert 100 < len(free) < len(frames)
     assert torch.equal(made.rotations[free], walk.rotations[free])
@@ -442,6 +460,7 @@ def test_a_pinned_pose_is_taken_where_the_character_stands(embedded):
     arms = [made.skeleton.role(f"{side}_elbow") for side in ("left", "right")]
     assert torch.allclose(made.rotations[209, arms].abs(), zombie.rotations[120, arms].abs(),
                           atol=1e-3)
+    assert abs(made.global_positions[209, :, 1].amin()) < 0.05
     assert Shot(**tk.shots.data([shot])["shots"][0]) == shot
     bad = dataclasses.replace(shot, pins=[{"at": 1, "pose": {"Tail": (1, 0, 0, 0)}}])
     with pytest.raises(ValueError, match="has the joint 'Tail'"):

@@ -135,12 +135,13 @@ class Controller(CellWidget, Corners):
             self._step()
 
     def close(self) -> None:
-        """Stop and remove the widget and its recording: a notebook keeps every result."""
+        """Stop and remove the widget, its recording and state: a notebook keeps every result."""
         if self._task is not None and not self._loop.is_closed():
             self._loop.call_soon_threadsafe(self._task.cancel)
         super().close()
         self.skeleton = {}
         self._recorded.clear()
+        self._task = self.state = None
 
     @traitlets.validate("speed")
     def _finite(self, proposal: dict) -> float:
