@@ -474,6 +474,8 @@ def test_check_names_a_pin_out_of_reach(embedded, place, said):
     shot = Shot([(0, 0), (0, 3)], "Strut", pins=[{"at": 1.4, "left_hand": place}])
     assert any(line.startswith("pins[0]: the left hand is") and said in line
                for line in shot.check(*embedded))
+    moved = bool(shot.plan(embedded[1])[0].arrivals)
+    assert moved == (place[0] < pins.DETOUR)  # a place far off the path is not walked to
 
 
 def test_an_unknown_style_is_named(embedded):

@@ -21,6 +21,7 @@ AHEAD, ASIDE, STEP, BESIDE = 0.5, 0.35, 0.3, 0.1
 # metres of a place from the shoulder, and to its side, that need no other path
 NEAR, CLOSE, ACROSS = 0.55, 0.3, 0.1
 SHOULDER, LEAST = 0.19, 0.1  # metres to the side; between two points of a path
+DETOUR = 2.0  # metres of a place beside the path, beyond which it is left out of the plan
 PASSED = 0.25  # seconds: the character stops for a longer span
 MISSED = 0.02  # metres beside a pin that `check` reports
 
@@ -66,8 +67,9 @@ def stations(pins: Sequence[Pin], path: Sequence[Point], base: Plan, now: Plan) 
         ahead, aside = (STEP, BESIDE * side) if foot else (AHEAD, ASIDE * side)
         distance = min((d for d in curve.at if d >= low),
                        key=lambda d: math.dist(curve.point(d), goal), default=low)
+        far = math.dist(curve.point(distance), goal) > DETOUR
         distance = max(distance - ahead, low)
-        if distance < LEAST:  # it starts there
+        if far or distance < LEAST:  # out of reach, or it starts there
             continue
         low = distance + LEAST
 

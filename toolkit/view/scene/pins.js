@@ -40,8 +40,9 @@ export function stations(pins, path, base, now, r) {
     const foot = !limbs.some((limb) => HANDS.includes(limb)), [ahead, aside] = foot ? [r.STEP, r.BESIDE * side] : [r.AHEAD, r.ASIDE * side];
     const far = (d) => Math.hypot(...curve.point(d).map((v, i) => v - goal[i]));
     let distance = curve.at.filter((d) => d >= low).reduce((best, d) => (best === null || far(d) < far(best) ? d : best), null) ?? low;
+    const out = far(distance) > r.DETOUR;
     distance = Math.max(distance - ahead, low);
-    if (distance < r.LEAST) continue;
+    if (out || distance < r.LEAST) continue;
     low = distance + r.LEAST;
     let [x, z] = curve.point(distance), [s, c] = facing(base, distance);
     const left = (goal[0] - x) * c - (goal[1] - z) * s, before = (goal[0] - x) * s + (goal[1] - z) * c;
