@@ -8,9 +8,13 @@ the site.
 
 import os
 import pkgutil
+import sys
 
 import lazy_loader
 
+# Plotly loads jsonschema, and jsonschema this optional package, whose grammar of addresses takes
+# more than a second to compile. No notebook checks an address.
+sys.modules.setdefault("rfc3987_syntax", None)
 # Tests set this variable for a small run of each notebook.
 FAST = bool(os.environ.get("TOOLKIT_FAST"))
 __getattr__, __dir__, __all__ = lazy_loader.attach(

@@ -111,7 +111,7 @@ def test_the_same_seed_gives_the_same_bytes_and_another_one_another_path():
 
 @pytest.mark.parametrize("style", [s for s in STYLES if s not in HOPS])
 def test_contacts_alternate_and_phases_follow_them(style):
-    _, known = take(style, "FW", 6.0)
+    _, known = take(style, "FW")
     both = known.contacts.sum(1)
     assert float((both > 0).float().mean()) > 0.75  # walking: nearly always one toe planted
     strikes = [known.contacts[:, i].diff().gt(0).nonzero()[:, 0] for i in (0, 1)]

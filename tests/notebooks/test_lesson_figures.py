@@ -80,20 +80,3 @@ def test_style_space_shows_names_and_groups():
     assert list(figure.data[0].text) == ["A", "C"]
     with pytest.raises(ValueError, match="4 names need positions"):
         charts.style_space(torch.rand(4, 3), ["A", "B", "C", "D"])
-
-
-def test_training_curves_of_rows_and_columns():
-    rows = [
-        {"step": 10, "elapsed": 1.0, "train": 0.5, "test": None},
-        {"step": 20, "elapsed": 2.0, "train": 0.2, "test": 0.3}
-    ]
-    figure = charts.training_curves(rows)
-    assert {t.name: list(t.y) for t in figure.data} == {"train": [0.5, 0.2], "test": [0.3]}
-    with pytest.raises(ValueError, match="rows with 'step'"):
-        charts.training_curves([])
-
-
-def test_trajectory_figure_shows_the_path_and_what_was_asked(walk_clip):
-    figure = charts.trajectory_figure(walk_clip, torch.zeros(5, 2))
-    assert [t.name for t in figure.data] == ["asked for", "Neutral", "Neutral, each second"]
-    np.testing.assert_allclose(figure.data[1].y, walk_clip.root_positions[:, 2], atol=1e-6)

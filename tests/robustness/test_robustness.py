@@ -169,7 +169,7 @@ def job(opened):
 
 for opened in (files.atomic_write, lambda path: path.open("wb")):
     with tempfile.TemporaryDirectory() as base:
-        print(killed(job(opened), Path(base), 8))
+        print(killed(job(opened), Path(base), 5))
 """
 
 
@@ -183,5 +183,5 @@ def test_a_writer_in_place_is_found_out():
     whole, in_place = done.stdout.splitlines()
     assert "half=0" in whole
     assert "half=0" not in in_place
-    assert "kills=8" in whole
-    assert "equal=8" in whole
+    assert "kills=5" in whole
+    assert "equal=5" in whole
