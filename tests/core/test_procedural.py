@@ -162,10 +162,7 @@ def test_a_given_path_and_a_style_of_ones_own():
 def test_written_like_100style_and_read_back_equal(tmp_path, capsys, shared):
     styles, gaits = ["Drunk", "HopLeft", "Old"], ["FW", "TR1"]
     words = ["--styles", ",".join(styles), "--gaits", ",".join(gaits), "--clip-seconds", "1"]
-    for folder in ("a", "b"):
-        assert main(["data", "write", "procedural", "--out", str(tmp_path / folder), *words]) == 0
-    for path in (tmp_path / "a").iterdir():
-        assert path.read_bytes() == (tmp_path / "b" / path.name).read_bytes()
+    assert main(["data", "write", "procedural", "--out", str(tmp_path / "a"), *words]) == 0
     clips = datasets.load("100style", tmp_path / "a")
     again = {(clip.style.removeprefix("Procedural"), clip.gait): clip for clip in clips}
     assert set(again) == set(itertools.product(styles, gaits))
