@@ -72,6 +72,7 @@ def test_losses_page_needs_every_set_and_numbers_them_as_its_switches_do():
 
 
 def test_style_space_shows_names_and_groups():
+    assert len(set(charts.colours(40))) == 40
     figure = charts.style_space(
         torch.rand(4, 2), ["A", "B", "C", "D"], ["x", "y", "x", "y"],
         marked={"blend": torch.zeros(2)}
