@@ -20,6 +20,7 @@ from toolkit.extra.compiled import network
 from toolkit.extra.engines import onnx
 from toolkit.motion import Clip
 from toolkit.networks import Model
+from toolkit.runtime.life import alive
 
 PEERS = (1, 64)  # numbers of characters for the comparison
 FRAMES = (60, 300, 600)  # at which rollouts are compared
@@ -163,8 +164,9 @@ def _beside(net: Model, fast, bank, rounds: int, rate: float, speed: float) -> l
             for name, work in works.items():
                 error = float(((work() - right) / net.outputs_std).square().mean().sqrt())
                 table.setdefault(name, {"work": name})["error"] = error
-            frames = {f"whole frame, {name}": _frame(form, bank, count)
-                      for name, form in (("plain", net), ("toolkit", fast))}
+            frames = {f"whole frame, {name}": _frame(form, bank, count, life)
+                      for name, form, life in (("plain", net, 0.0), ("toolkit", fast, 0.0),
+                                               ("toolkit, with life", fast, 0.2))}
             taken = {"floor": floor} | _times(works, rounds) | _times(frames, rounds)
         for name, seconds in taken.items():
             row = table.setdefault(name, {"work": name})
@@ -214,15 +216,18 @@ def _onnx(net: Model, x: Tensor, phases: Tensor, style: Tensor) -> Callable[[], 
     return lambda: torch.from_numpy(session.run(None, given)[0])
 
 
-def _frame(model, bank, count: int) -> Callable[[], object]:
+def _frame(model, bank, count: int, life: float) -> Callable[[], object]:
     """A function that computes the next frame and pose of all characters, one second after their
-    start.
+    start, with styles that wander by ``life``.
     """
-    state = runtime.start(model, bank.vectors[torch.arange(count) % len(bank)])
+    vectors = bank.vectors[torch.arange(count) % len(bank)]
+    state, style, number = runtime.start(model, vectors), alive(vectors, life), 0
     command = runtime.straight(1.2, 0.1)[0]
 
     def frame() -> object:
-        nonlocal state
+        nonlocal state, number
+        if callable(style):
+            state, number = state.with_style(style(number)), number + 1
         state = runtime.step(model, state, command)
         return runtime.pose(model, state)
 
