@@ -56,7 +56,7 @@ WRONG["02a.3"] = [
 RIGHT["02b.1"] = [(torch.arange(30.) - 3, torch.arange(30.))]
 WRONG["02b.1"] = [
     (torch.zeros(20), torch.zeros(20)), (torch.zeros(20) + .5, torch.zeros(20)),
-    (torch.arange(20.), torch.zeros(20)),
+    (1.05 * torch.arange(20.) + 2, torch.arange(20.)),
 ]
 RIGHT["03a.1"] = [lambda first, second: np.roots([second - first, first])[0].real]
 RIGHT["03a.2"] = [(torch.arange(9.), 3 * torch.arange(9.) - 2)]
