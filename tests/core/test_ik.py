@@ -52,9 +52,16 @@ def test_two_bone_takes_any_leading_shape_and_degenerate_input():
     knee, ankle = ik.two_bone(a, b, c, target, FORWARD.float(), soft=torch.full((2, 5, 1), 0.02))
     assert knee.shape == ankle.shape == (2, 5, 3)
     assert bool(torch.isfinite(knee).all() and torch.isfinite(ankle).all())
+    # where no direction is known, that of the limb is kept
+    assert float((ankle - a)[0, 0] @ (c - a)[0, 0]) > 0
     torch.testing.assert_close(
         (knee - a).norm(dim=-1), torch.full((2, 5), UPPER), atol=1e-5, rtol=0
     )
+
+
+def test_a_limb_whose_end_stays_where_it_is_does_not_move():
+    knee, ankle = ik.two_bone(HIP, KNEE, ANKLE, ANKLE, soft=0.0)
+    torch.testing.assert_close((knee, ankle), (KNEE, ANKLE))
 
 
 @pytest.mark.parametrize("distance", [0.02, 0.7, 0.85, 0.868, 1.4])

@@ -135,6 +135,7 @@ def test_amass_poses_are_those_of_the_clip(tmp_path, zombie):
         made = dict(file)
     assert made["poses"].shape == (len(zombie), 156)
     assert made["trans"].shape == (len(zombie), 3)
+    assert made["trans"][:, 2].min() > 0.5  # z is up
     assert not made["betas"].any()
     assert (str(made["gender"]), float(made["mocap_framerate"])) == ("neutral", 60.0)
     with pytest.warns(UserWarning, match="bone lengths are those of an average person"):
