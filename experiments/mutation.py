@@ -59,6 +59,12 @@ EQUIVALENT = {
      'b"Lcl Scaling": (1.0,) * 3}', "3 -> 4"): "only the first three are read",
     ("for path, asked, clip in zip(paths, scene.shots, clips, strict=True):", "True -> False"):
         "all are as many",
+    ('merged = CharacterState(**merged, style=merged["history"].new_empty(len(recorded), 0))',
+     "0 -> 1"): "no pose reads the style",
+    ("floor = torch.stack((root[:, 0], torch.zeros_like(root[:, 0]), root[:, 1]), -1)", "0 -> 1"):
+        "zeros of the same shape",
+    ("own=np.array([joints.index(j) if j in joints else -1 for j in range(len(skeleton))]),",
+     "1 -> 2"): "it is read only for joints that have one",
     ("for _ in range(30):", "30 -> 31"): "Newton takes at most 11 steps",
 }
 NOT_COPIED = shutil.ignore_patterns(".git", ".venv", "out", "build", "__pycache__", ".*_cache")
