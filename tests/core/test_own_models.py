@@ -27,7 +27,7 @@ def run(request, two_styles):
     del registry._found[f"model.{request.param}"]
 
 
-def test_it_learns_walks_and_blends(run, data):
+def test_it_learns_walks_and_blends(run):
     model, bank = run
     assert model.layout.phase == NAMES[model.name]
     for row in run.table():
