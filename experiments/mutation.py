@@ -65,6 +65,9 @@ EQUIVALENT = {
         "zeros of the same shape",
     ("own=np.array([joints.index(j) if j in joints else -1 for j in range(len(skeleton))]),",
      "1 -> 2"): "it is read only for joints that have one",
+    ("return torch.cat((q[:1], q[1:] * (1 - 2 * apart.to(q.dtype)[..., None]).cumprod(0)))",
+     "q[1:] * (1 - 2 * apart.to(q.dtype)[..., None]).cumprod(0) -> "
+     "q[1:] / (1 - 2 * apart.to(q.dtype)[..., None]).cumprod(0)"): "the factor is 1 or -1",
     ("for _ in range(30):", "30 -> 31"): "Newton takes at most 11 steps",
 }
 NOT_COPIED = shutil.ignore_patterns(".git", ".venv", "out", "build", "__pycache__", ".*_cache")
