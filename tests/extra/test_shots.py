@@ -106,6 +106,9 @@ def test_bodies_keep_apart_by_the_reach_of_their_styles(embedded):
         places = torch.stack([tk.runtime.world_joints(embedded[0].layout, s)["position"]
                               for s in states])
         nearest.append(float(torch.cdist(places[:, 0], places[:, 1]).min()))
+    lines = Scene(arms, 1.0).check(*embedded)
+    assert sum("its limbs may go through others; Scene.spaced" in line for line in lines) == 2
+    assert scene.check(*embedded) == []
     assert min(scene.radii) > 0.6  # of outstretched arms
     assert scene.radii == [round(radius, 2) for radius in scene.radii]
     wider = scene.spaced(*embedded, bodies=0.8)

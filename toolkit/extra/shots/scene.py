@@ -14,6 +14,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
+from toolkit.evaluation.findings import OTHERS
 from toolkit.extra.shots import apart as avoidance, following
 from toolkit.extra.shots.following import FPS, LEAD, LONGEST, Course, Heading, Pair, nearest
 from toolkit.extra.shots.keys import StyleKey, entries, number, pair
@@ -132,8 +133,9 @@ class Scene:
     def check(self, model, bank: StyleBank) -> list[str]:
         """What cannot be met and why, a line each.
 
-        `Shot.check` of each; of those who keep apart, styles that cannot stand, ends that are too
-        close, and gaps between walls that are too narrow or to which too many come at once.
+        `Shot.check` of each; of those who keep apart, styles that cannot stand or that reach into
+        others, ends that are too close, and gaps between walls that are too narrow or to which too
+        many come at once.
         """
         lines = []
         for k, shot in enumerate(self.shots):
@@ -146,12 +148,17 @@ class Scene:
         if self.apart is None:
             return lines
 
-        # styles that cannot wait, and ends that two cannot both reach
-        for k, key, _, speed in self._tried(model, bank):
-            if speed > STANDS:
-                lines.append(f"{self._called(k)}: {' + '.join(key.layers[0])} goes on at "
-                             f"{speed:.2f} m/s when it is told to stand: it cannot wait")
+        # styles that cannot wait, or reach into others, and ends that two cannot both reach
         goals, radii = [(shot.path[-1].x, shot.path[-1].z) for shot in self.shots], self.radii
+        for k, key, reach, speed in self._tried(model, bank):
+            who = f"{self._called(k)}: {' + '.join(key.layers[0])}"
+            if speed > STANDS:
+                lines.append(f"{who} goes on at {speed:.2f} m/s when it is told to stand: it "
+                             "cannot wait")
+            room = radii[k] + min(radii[:k] + radii[k + 1:], default=math.inf)
+            if reach + OTHERS["limb", "trunk"] > room:
+                lines.append(f"{who} reaches {reach:.2f} m and keeps {room:.2f} m: its limbs may "
+                             "go through others; Scene.spaced gives it room")
         for j, k in itertools.combinations(range(len(goals)), 2):
             if (room := math.dist(goals[j], goals[k])) < radii[j] + radii[k]:
                 lines.append(f"{self._called(j)} and {self._called(k)} end {room:.2f} m apart and "
