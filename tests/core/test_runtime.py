@@ -382,19 +382,21 @@ def test_future_directions_turn_towards_the_command_by_the_weight_of_their_time(
     assert angles == pytest.approx(expected, abs=1e-6)
 
 
-@pytest.mark.parametrize("asked", [0.0, 0.3])
-def test_a_character_that_drifts_is_steered_back_unless_it_was_asked_to_move(replayed, asked):
-    """In a sharp turn, the way before it is no drift."""
+@pytest.mark.parametrize("aside", [0.0, 0.3])
+def test_a_character_that_is_to_stop_is_opposed_and_one_that_is_to_turn_is_not(replayed, aside):
+    """Both went on at 0.3 m/s, as they were asked; the command is to stand, or to go aside."""
     state = runtime.start(replayed[0], torch.zeros(1))
-    drifted = state.history.clone()
-    drifted[0, :, 1] = torch.linspace(-0.3, 0.0, 61)  # 0.3 m/s
-    state = dataclasses.replace(state, history=drifted, asked=torch.tensor([[0.0, asked]]))
-    future = runtime.steering.steer(state, runtime.Command(), (0, 10, 20, 30, 40, 50)).future
-    asked *= 14 / 15  # after one frame
+    history = state.history.clone()
+    history[0, :, 1] = torch.linspace(-0.3, 0.0, 61)  # 0.3 m/s
+    state = dataclasses.replace(state, history=history, asked=torch.tensor([[0.0, 0.3]]))
+    command = runtime.Command((aside, 0.0))
+    steered = runtime.steering.steer(state, command, (0, 10, 20, 30, 40, 50))
+    slow = 1 - float(steered.velocity.norm()) / 0.3
+    pull = 3.0 * slow * ((0.3 * 14 / 15 if aside else 0.0) - 0.3)  # asked, after one frame
     shares = [1 - (1 - k / 5) ** 0.75 * (1 - 1 / 36) for k in range(6)]  # after one frame of rest
-    steps = [0.0, *(3.0 * (asked - 0.3) / 6 * share for share in shares[1:])]
+    steps = [0.0, *(pull / 6 * share for share in shares[1:])]
     expected = [sum(steps[: k + 1]) for k in range(6)]
-    assert future[0, :, 1].tolist() == pytest.approx(expected, abs=1e-5)
+    assert steered.future[0, :, 1].tolist() == pytest.approx(expected, abs=1e-5)
 
 
 def test_a_character_starts_with_a_whole_second_behind_it(replayed):

@@ -87,7 +87,9 @@ def steer(
 
     Ours: the target velocity opposes a false velocity: the lateral part of it while the character
     walks, all of it while the command or the speed factor is near 0, since a network can walk on
-    by itself. While the command is to stand, the blend grows until the whole future stands still.
+    by itself. The right velocity is the command, as slow as a character follows it; a character
+    that is to stop is opposed at once. While the command is to stand, the blend grows until the
+    whole future stands still.
     """
     like = {"dtype": state.velocity.dtype, "device": state.velocity.device}
     wanted = torch.as_tensor(command.velocity, **like).reshape(-1, 2)
@@ -115,7 +117,10 @@ def steer(
     # Target velocity: the controllers oppose the errors of the network.
     asked, aside, across = direction_controller(state, velocity)
     slow = (1.0 - torch.minimum(speed / SLOW, state.drive / LOW)).clamp_min(0.0)
-    pull = state.drive * velocity + RETURN * slow * (asked - _moved(state, -1)) + across
+    moved = _moved(state, -1)
+    walks = wanted.norm(dim=-1, keepdim=True) / moved.norm(dim=-1, keepdim=True).clamp_min(SLOW)
+    right = torch.lerp(velocity, asked, walks.clamp_max(1.0))
+    pull = state.drive * velocity + RETURN * slow * (right - moved) + across
 
     # Shares of the target in the blend: they grow with time, and with standing.
     t = torch.tensor(ahead[1:], **like) / ahead[-1]

@@ -126,9 +126,10 @@ def steer(old, wanted, look, rules, x, new, start, stop):
         still = 1.0 - min(math.hypot(vx, vz) / rules.slow, drive / rules.low)
         hold = rules.stand_still * max(still, 0.0)
         across = _straighten(old, b, (vx, vz), rules, new)
-        asked = _pair(new.asked[b])
-        pull_x = drive * vx + hold * (asked[0] - moved[0]) + across[0]
-        pull_z = drive * vz + hold * (asked[1] - moved[1]) + across[1]
+        asked, pace = _pair(new.asked[b]), max(math.hypot(moved[0], moved[1]), rules.slow)
+        walks = min(math.hypot(goal_x, goal_z) / pace, 1.0)
+        pull_x = drive * vx + hold * (_lerp(vx, asked[0], walks) - moved[0]) + across[0]
+        pull_z = drive * vz + hold * (_lerp(vz, asked[1], walks) - moved[1]) + across[1]
 
         # the future trajectory, step by step from the root
         root_x, root_z = _pair(history[-1])

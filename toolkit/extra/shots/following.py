@@ -22,7 +22,7 @@ ALONG, ACROSS = 4.0, 8.0  # 1/s: gains of the distances behind the plan and besi
 # metres of the curve, around the planned place, on which a character is searched
 BEHIND, BEFORE = 1.5, 0.5
 FASTEST = 64.0  # largest scale of the speeds, for an arrival time
-LARGEST = 2.0  # m/s, of the correction
+LARGEST, GENTLE = 2.0, 0.25  # m/s, of the correction; of one where the plan stands
 # share of the gains that is left where the plan stands: with all, a character went to and fro
 STANDING = 0.5
 NEAR = 0.06  # metres: a standing character that is as close to its place is left alone
@@ -243,7 +243,9 @@ def command(course: Course, heading: Heading, frame: int, place: Pair) -> tuple[
     (x, z), (tx, tz) = curve.point(here), curve.tangent(lead)
     behind, across_x, across_z = planned - here, x - place[0], z - place[1]
     vx, vz = ALONG * behind * tx + ACROSS * across_x, ALONG * behind * tz + ACROSS * across_z
-    share = min(1.0, LARGEST / max(math.hypot(vx, vz), 1e-12))
-    if course.speed[ahead] == 0:
-        share *= STANDING * max(1 - NEAR / max(math.hypot(behind, across_x, across_z), 1e-12), 0.0)
+    stands = course.speed[ahead] == 0
+    most, largest = (STANDING, GENTLE) if stands else (1.0, LARGEST)
+    share = min(most, largest / max(math.hypot(vx, vz), 1e-12))
+    if stands:
+        share *= max(1 - NEAR / max(math.hypot(behind, across_x, across_z), 1e-12), 0.0)
     return (course.speed[ahead] * tx + share * vx, course.speed[ahead] * tz + share * vz), facing

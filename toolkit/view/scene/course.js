@@ -192,7 +192,8 @@ export function command(course, heading, frame, place) {
   const [x, z] = curve.point(here), [tx, tz] = curve.tangent(lead);
   const behind = planned - here, acrossX = x - place[0], acrossZ = z - place[1];
   const vx = rules.ALONG * behind * tx + rules.ACROSS * acrossX, vz = rules.ALONG * behind * tz + rules.ACROSS * acrossZ;
-  let share = Math.min(1, rules.LARGEST / Math.max(far(vx, vz), 1e-12));
-  if (speed === 0) share *= rules.STANDING * Math.max(1 - rules.NEAR / Math.max(Math.sqrt(behind ** 2 + acrossX ** 2 + acrossZ ** 2), 1e-12), 0);
+  const [most, largest] = speed === 0 ? [rules.STANDING, rules.GENTLE] : [1, rules.LARGEST];
+  let share = Math.min(most, largest / Math.max(far(vx, vz), 1e-12));
+  if (speed === 0) share *= Math.max(1 - rules.NEAR / Math.max(Math.sqrt(behind ** 2 + acrossX ** 2 + acrossZ ** 2), 1e-12), 0);
   return { velocity: [speed * tx + share * vx, speed * tz + share * vz], facing: [Math.sin(angle), Math.cos(angle)] };
 }

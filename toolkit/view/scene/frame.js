@@ -87,7 +87,8 @@ export function steer(old, command, rules, x, next) {
 
   const slow = rules.stand_still * Math.max(1 - Math.min(speed / rules.slow, drive / rules.low), 0);
   const across = straighten(old, velocity, rules, next), now = moved(history, 0, rules);
-  const pull = velocity.map((v, i) => drive * v + slow * (next.asked[i] - now[i]) + across[i]);
+  const walks = Math.min(Math.hypot(...command.velocity) / Math.max(Math.hypot(...now), rules.slow), 1);
+  const pull = velocity.map((v, i) => drive * v + slow * (lerp(v, next.asked[i], walks) - now[i]) + across[i]);
   const rootX = history[here], rootZ = history[here + 1], sin = history[here + 2], cos = history[here + 3];
   let px = rootX, pz = rootZ;
   bent.set(history.subarray(here));
