@@ -24,7 +24,7 @@ HERE = Path(__file__).parents[1]
 #: Sources, and the tests that should see a fault in them; names that a checkout lacks are passed.
 GROUPS = {
     "rotations": ("motion/rotations.py", "rotations motion"),
-    "ik": ("motion/ik.py", "ik"),
+    "ik": ("motion/ik.py", "ik runtime compiled"),
     "contacts": ("motion/contacts.py", "contacts motion measures"),
     "fit": ("phases/sinusoids.py phases/variable_projection.py phases/viterbi.py phases/windows.py",
             "fit phases"),
@@ -34,7 +34,7 @@ GROUPS = {
               "runtime compiled"),
     "losses": ("training/loss.py stylization/losses.py", "training held_out stylization"),
     "measures": ("evaluation/metrics/*.py evaluation/findings.py", "metrics report findings"),
-    "shots": ("extra/shots/*.py", "shots"),
+    "shots": ("extra/shots/*.py", "shots director"),
     "readers": ("io/bvh.py io/bvh_text.py extra/formats/*.py",
                 "bvh bvh_roundtrip readers inspection interpretation"),
 }
@@ -57,6 +57,7 @@ EQUIVALENT = {
         "NumPy takes any negative size for the missing one",
     ('TRACKS = {b"Lcl Translation": (0.0,) * 3, b"Lcl Rotation": (0.0,) * 3, '
      'b"Lcl Scaling": (1.0,) * 3}', "3 -> 4"): "only the first three are read",
+    ("for key, v in zip(self.styles, speeds, strict=True)]", "True -> False"): "as many as keys",
     ("for path, asked, clip in zip(paths, scene.shots, clips, strict=True):", "True -> False"):
         "all are as many",
     ('merged = CharacterState(**merged, style=merged["history"].new_empty(len(recorded), 0))',

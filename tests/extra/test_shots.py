@@ -110,6 +110,8 @@ def test_bodies_keep_apart_by_the_reach_of_their_styles(embedded):
     assert sum("its limbs may go through others; Scene.spaced" in line for line in lines) == 2
     assert scene.check(*embedded) == []
     assert min(scene.radii) > 0.6  # of outstretched arms
+    mixed = Scene([arms[0], MEET[1]], 1.0).spaced(*embedded, bodies=0.4)
+    assert mixed.radii[0] == scene.radii[0] > mixed.radii[1] + 0.2
     assert scene.radii == [round(radius, 2) for radius in scene.radii]
     wider = scene.spaced(*embedded, bodies=0.8)
     assert wider.radii == pytest.approx([radius + 0.2 for radius in scene.radii], abs=0.011)
