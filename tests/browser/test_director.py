@@ -279,7 +279,8 @@ def test_a_pin_is_added_dragged_and_reached(desk):
     left, top = desk.at(x, z)
     desk.drag((left, top - 9), (left + 5, top - 20), (desk.at(x - 0.3, z + 0.2)[0],
                                                      desk.at(x - 0.3, z + 0.2)[1] - 9))
-    key = page.get_by_role("button", name="Pin 1 at 2.00 s, right hand").bounding_box()
+    (pin,) = desk.shots[0].pins
+    key = page.get_by_role("button", name=f"Pin 1 at {pin.at:.2f} s, right hand").bounding_box()
     desk.drag((key["x"] + 5, key["y"] + 5), (key["x"] + 60, key["y"] + 5))
     desk.wait()
     (pin,) = desk.shots[0].pins
