@@ -262,6 +262,9 @@ def test_what_cannot_be_learnt_is_refused_in_one_line(small_run, crouch):
     ):
         with pytest.raises(ValueError, match=said):
             tk.styles.fine_tune(model, clip, name, small_run.bank, method=method)
+    for prior in (-1, "1", float("inf")):
+        with pytest.raises(ValueError, match="prior must be a number from 0 on"):
+            tk.styles.fine_tune(small_run.model, crouch, "Mine", prior=prior)
 
 
 def test_style_add_writes_the_same_file_with_one_vector_more(tmp_path, small_run, crouch, capsys,

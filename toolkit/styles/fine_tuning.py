@@ -14,7 +14,7 @@ from toolkit.features import KINDS, Features, splits
 from toolkit.io.model_files import difference
 from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip
-from toolkit.motion.tensors import summary
+from toolkit.motion.tensors import shown, summary
 from toolkit.networks import Film, FilmGenerator, Predictor
 from toolkit.networks.bank import StyleBank
 from toolkit.training import minibatches
@@ -111,13 +111,16 @@ def fine_tune(model: Predictor, clips: Clip | Sequence[Clip] | Features, name: s
     Raises
     ------
     ValueError
-        If the clips have another skeleton or are too short, the bank has a style of that name, or
-        the method is unknown or needs a generator that the model does not have.
+        If the clips have another skeleton or are too short, the bank has a style of that name, the
+        prior is no number from 0 on, or the method is unknown or needs a generator that the model
+        does not have.
     """
     began = time.perf_counter()
     data = clips if isinstance(clips, Features) else _features(model, clips, name, mirror)
     has_generator = isinstance(model.generator, FilmGenerator)
     method = method or ("generator" if has_generator else "vector")
+    if not isinstance(prior, int | float) or not 0 <= prior < math.inf:
+        raise ValueError(f"prior must be a number from 0 on, got {shown(prior)}")
     if method not in METHODS:
         raise ValueError(f"unknown method {method!r}; known: {', '.join(METHODS)}")
     if method != "vector" and not has_generator:
