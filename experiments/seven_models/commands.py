@@ -13,6 +13,8 @@ from experiments.tables import Result
 from toolkit import datasets, networks, training
 from toolkit.evaluation.recognition import Recogniser
 from toolkit.extra import store
+from toolkit.features import Features
+from toolkit.training import Run
 from toolkit.training.loss import STEPS
 
 PUBLISHED = "Folder of the published parameters, or lpn-film-100style once fetched."
@@ -85,8 +87,9 @@ def table2() -> None:
         counted, printed = (f"{n[0]:>12,}{n[1]:>12,}{n[2]:>10,}" for n in
                             ((row.synthesis, row.style, row.per_style), row.printed))
         print(f"{row.name:<14}{counted}{'':<11}{printed}")
-    for (as_printed, note), names in _notes(rows).items():
-        print(f"S.M.N. of {', '.join(names)}: {note}; counted so, {as_printed:,}")
+    for note, counted in {row.note: row.style_as_printed for row in rows if row.note}.items():
+        names = ", ".join(row.name for row in rows if row.note == note)
+        print(f"S.M.N. of {names}: {note}; counted so, {counted:,}")
 
 
 @app.command("ceiling")
@@ -95,8 +98,7 @@ def ceiling_(parameters: Annotated[Path, typer.Option("--published", help=PUBLIS
     """The same measures of the published network, on data that it made: the best that a model can
     do there.
     """
-    settings = models.read_json(out / models.SETTINGS)
-    data, plan = load(**settings["source"]), models.Plan(settings["size"], settings["steps"])
+    _, data, plan = _opened(out)
     recogniser = models.judge(data, out)
     models.ceiling(parameters, data, recogniser, plan, out)
     show(models.collect(data, plan, recogniser, out))
@@ -109,8 +111,7 @@ def store_(name: Annotated[str, typer.Option(help="Name of the stored result.")]
     """Store the table of a comparison as a result that the pages of docs/ draw (`python -m
     experiments tables`).
     """
-    settings = models.read_json(out / models.SETTINGS)
-    data, plan = load(**settings["source"]), models.Plan(settings["size"], settings["steps"])
+    settings, data, plan = _opened(out)
     table = models.collect(data, plan, models.judge(data, out), out)
     print(f"wrote {results.comparison(name, about, _command(settings), table).save()}")
 
@@ -132,9 +133,7 @@ def recorded_(model: Annotated[str, typer.Option(help="Which model's runs.")] = 
     names = {block.gait for block in parts.test if block.style in settings["frames"]}
     clips = [clip for clip in datasets.load(source["data"], root)
              if clip.name.removesuffix(".bvh") in names]
-    runs = [training.load(path) for path in sorted((out / "runs").glob(f"{model}-*.safetensors"))]
-    if not runs:
-        raise ValueError(f"{out}: has no run of {model}")
+    runs = _runs(out, model)
     rows = recorded.compared(runs, clips, Recogniser.load(out / "recogniser.safetensors"))
     about = (
         f"{len(clips)} held-out takes of {len(settings['frames'])} styles, followed for "
@@ -155,9 +154,8 @@ def vectors_(model: Annotated[str, typer.Option(help="Which model's runs.")] = "
     """Style vectors of one clip, of the mean of many, and fitted to frames, on held-out frames and
     in closed loop.
     """
-    settings = models.read_json(out / models.SETTINGS)
-    data = load(**settings["source"])
-    runs = [training.load(path) for path in sorted((out / "runs").glob(f"{model}-*.safetensors"))]
+    settings, data, _ = _opened(out)
+    runs = _runs(out, model)
     rows = vectors.compared(runs, data, models.judge(data, out), progress=True)
     _written(results.vectors(result or "vectors", f"{model}, {len(settings['frames'])} styles",
                              _command(settings) + f", then vectors --model {model}", rows,
@@ -175,19 +173,10 @@ def failures_(
                       | None, typer.Option(help="Store the cases as "
                                                 "docs/results/RESULT-CASE.json.")] = None,
 ) -> None:
-    """The failure cases of section 5.1, tested on the runs of a finished comparison."""
-    settings = models.read_json(out / models.SETTINGS)
-    data = load(**settings["source"])
-    for case in failures.cases(data, out):
-        print(f"\n{case}")
-        name = case.title.lower().replace(" ", "-")
-        if result is not None:
-            about, command = (
-                f"{case.section} {case.title}: {case.claim}", _command(settings) + ", then failures"
-            )
-            stored = results.case(f"{result}-{name}", about, command, case,
-                                  {"styles": len(settings["frames"])})
-            print(f"wrote {stored.save()}")
+    """The failure cases of section 5.1, measured on the runs of a finished comparison."""
+    settings, data, plan = _opened(out)
+    for case in failures.cases(data, plan, out, result or "case", _command(settings)):
+        _written(case, result)
 
 
 @app.command("hundred")
@@ -205,6 +194,21 @@ def hundred_(
     fallen = hundred.write(parameters, out, styles and styles.split(","), seconds, seed)
     print(f"without clips in which the character fell: {', '.join(fallen) or 'none'}")
     print(f"wrote {len(list(out.glob('*.bvh')))} clips; compare with --data 100style --root {out}")
+
+
+def _opened(out: Path) -> tuple[dict, Features, models.Plan]:
+    """Settings, data and plan of the comparison in a folder."""
+    settings = models.read_json(out / models.SETTINGS)
+    plan = models.Plan(settings["size"], settings["steps"])
+    return settings, load(**settings["source"]), plan
+
+
+def _runs(out: Path, model: str) -> list[Run]:
+    """The finished runs of a model in a folder."""
+    paths = sorted((out / "runs").glob(f"{model}-*.safetensors"))
+    if not paths:
+        raise ValueError(f"{out}: has no run of {model}")
+    return [training.load(path) for path in paths]
 
 
 def _written(found: Result, result: str | None) -> None:
@@ -225,17 +229,6 @@ def _command(settings: dict) -> str:
     return " ".join(["python -m experiments seven-models --data", data, *words,
                      f"--size {settings['size']}",
                      f"--steps {settings['steps']}"])
-
-
-def _notes(rows: list) -> dict[tuple[int, str], list[str]]:
-    """Models by the reason why the printed number of their style network differs from the counted
-    one.
-    """
-    found: dict[tuple[int, str], list[str]] = {}
-    for row in rows:
-        if row.note:
-            found.setdefault((row.style_as_printed, row.note), []).append(row.name)
-    return found
 
 
 def _described(source: dict) -> str:

@@ -114,8 +114,3 @@ def shares() -> list[float]:
     """The weight of the second style in each blend."""
     return [i / (BLENDS - 1) for i in range(BLENDS)]
 
-
-def mean(curves: list[Curves]) -> Curves:
-    """Mean over runs."""
-    return Curves(*(torch.stack([getattr(c, name) for c in curves]).mean(0)
-                    for name in ("odds", "gait")))

@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 
-from experiments.seven_models.failures import Case
 from experiments.seven_models.models import SIZES
 from experiments.tables import Result
 
@@ -69,17 +68,6 @@ def comparison(name: str, about: str, command: str, table: dict) -> Result:
                       "batch": settings["batch"], "style rates": settings["style_rates"],
                       "styles": len(settings["frames"]), "frames": sum(settings["frames"].values())}
     return Result(name, about, command, COLUMNS, rows, about_settings, numbers)
-
-
-def case(name: str, about: str, command: str, found: Case, settings: dict) -> Result:
-    """A failure case: its rows, with the columns that they have."""
-    keys = list(next(iter(found.rows.values())))
-    whole = {key: key.startswith(("of ", "styles below")) for key in keys}
-    columns = {"model": ["model"],
-               **{key: [key.replace("|", ""), 0 if whole[key] else 3] for key in keys}}
-    return Result(name, about, command, columns,
-                  [{"model": model, **row} for model, row in found.rows.items()], settings,
-                  {"verdict": found.verdict})
 
 
 def recorded(name: str, about: str, command: str, rows: Sequence[dict], settings: dict) -> Result:
