@@ -44,8 +44,6 @@ def run(
     start: Start = 0,
     stop: Annotated[int
                     | None, typer.Option(help="Frame after the last; default: the end.")] = None,
-    beside: Annotated[str,
-                      typer.Option(help="Styles for comparison.")] = "Zombie,Aeroplane",
     calibrated: Annotated[bool, typer.Option("--calibrated",
                                              help="Use calibrated inference.")] = False,
     store: Store = False,
@@ -61,27 +59,21 @@ def run(
     motion = bvh.load(clip)
     if features.Layout(motion.skeleton).names != net.layout.names:
         motion = retarget(motion, net.layout.skeleton).replace(name=f"{clip.name}, retargeted")
-    names = [style, *(s for s in beside.split(",") if s and s != style)]
-    rows = [published.one_step(net, bank, motion, name, (start, stop)) for name in names]
-    print(f"{'style':<18}{'joint MSE':>10}{'contact corr. R':>17}{'L':>7}{'phase error':>13}")
-    for row in rows:
-        right, left = row["contact_correlation"]
-        print(f"{row['style']:<18}{row['joint_mse']:>10.4f}{right:>17.3f}{left:>7.3f}"
-              f"{row['phase_error']:>13.3f}")
+    row = published.one_step(net, bank, motion, style, (start, stop))
+    right, left = row["contact_correlation"]
+    print(f"{style}, {row['frames']} frames: joint MSE {row['joint_mse']:.4f}, contact correlation "
+          f"{right:.3f} and {left:.3f}, phase error {row['phase_error']:.3f}")
     errors, floors = ranked(net, bank, motion, (start, stop))
     rank, other = list(errors).index(style) + 1, next(name for name in errors if name != style)
-    print(f"{rows[0]['frames']} frames; joint MSE in the model's normalised units: repeating the "
-          f"frame "
+    print(f"joint MSE in the model's normalised units: repeating the frame "
           f"{floors['repeat']:.3f}, the mean pose {floors['mean']:.3f}\n{style} is number {rank} "
           f"of {len(errors)} styles; "
           "first: " + ", ".join(f"{name} {errors[name]:.4f}" for name in list(errors)[:5]))
     if store:
         kind = "published" if parameters else "embedded" if model is None else "trained"
-        right, left = rows[0]["contact_correlation"]
         row = {"take": f"{kind}{', calibrated' * calibrated}: {motion.name}",
-               "frames": rows[0]["frames"], "style": style,
-               "error": rows[0]["joint_mse"], "right": right, "left": left,
-               "phase": rows[0]["phase_error"], "rank": rank,
+               "frames": row["frames"], "style": style, "error": row["joint_mse"],
+               "right": right, "left": left, "phase": row["phase_error"], "rank": rank,
                "of": len(errors), "other": other, "next": errors[other], **floors}
         Result(STORED,
                "Predictions one step ahead from real input, in the model's normalised units, and "

@@ -8,7 +8,7 @@ from typing import Annotated
 import torch
 import typer
 from course import labels
-from course.labels import STILL, Row, measure
+from course.labels import Row, measure
 from torch import Tensor
 
 from experiments.tables import Result, Store
@@ -23,7 +23,6 @@ PLANNED = ("Neutral", "Old", "Zombie", "Drunk")  # styles that are labelled by t
 #: Columns of the stored results that are no errors.
 TITLES = {"case": ["styles"], "styles": ["of them", 0], "limbs": ["limbs"], "take": ["take"],
           "foot": ["foot"]}
-LABEL_LIMIT, FLOOR_LIMIT = 20.0, 10.0  # degrees, of the default source: in all, above the floor
 
 
 @dataclass(frozen=True)
@@ -71,53 +70,32 @@ def run(
             rows[case(style)].append(measure(f"{name} {gait}", clip, known, sources))
 
     kept = []
-    titles = "".join(f"{name:>14}" for name in sources)
-    print(f"{'degrees':<34}{titles}{'frequency':>12}{'contact F1':>12}")
     for group, members in rows.items():
-        for row in members:
-            _print_row(row, sources)
         for limbs, part in PARTS.items() if members else ():
-            means = {}
-            for name in sources:
-                errors = torch.stack([row.phase[name][part.columns] for row in members])
-                means[name] = errors.nanmean()
-            numbers = {name: float(mean) for name, mean in means.items()}
-            kept.append({"case": group, "styles": len(members), "limbs": limbs, **numbers})
-            name = f"= {group}" if limbs == "feet" else ""
-            shown = "".join(_number(mean, "°", 14) for mean in means.values())
-            print(f"{name:<26}{limbs:<8}{shown}")
-    print(f"{gaits}, {seconds:g} s, seed {seed}: mean circular error while stepping, less a "
-          "constant lag per limb; error of the mean\nfrequency (feet: contact, hands: "
-          "contact-free). —: undefined, for hands without contact or a hand that moves under "
-          f"{100 * STILL:g} cm.")
+            means = {name: float(torch.stack([row.phase[name][part.columns]
+                                              for row in members]).nanmean()) for name in sources}
+            kept.append({"case": group, "styles": len(members), "limbs": limbs, **means})
+    walks = f"Mean circular error in procedural walks of {seconds:g} s, degrees, less a lag of"
+    about = {
+        "phases": f"{walks} each limb",
+        "phases-labelled": "Mean errors of the feet in moving frames against labelled phases, "
+                           "degrees, less a constant lag of each"}
+    for name, members in zip(about, (kept, against(sources, labelled, seconds, seed)), strict=True):
+        keys = dict.fromkeys(key for row in members for key in row)
+        columns = {key: TITLES.get(key, [f"`{key}`" if key in sources else key, 1]) for key in keys}
+        numbers = worst(rows["cyclic"]) if name == "phases" else {}
+        found = Result(name, about[name], "python -m experiments phases --store", columns, members,
+                       {}, numbers)
+        print(f"{found.about}\n{found.markdown()}")
+        if numbers:
+            print("Largest errors in a cyclic style, and the least F1 of contacts: "
+                  + ", ".join(f"{what} {value:.3g}" for what, value in numbers.items()))
+        if store:
+            found.save()
     failed = [f"{row.name}: {what}" for row in rows["cyclic"] for what in failures(row)]
     limits = ", ".join(f"{part.source} {limbs} {part.limit:g}°" for limbs, part in PARTS.items())
     print(f"Limits for cyclic styles: {limits}, "
           f"frequency {FREQUENCY_LIMIT:.0%}, F1 {F1_LIMIT}: {'; '.join(failed) or 'all kept'}")
-    print()
-    against = _labels(sources, labelled, seconds, seed)
-    if store:
-        walks = f"Mean circular error in procedural walks of {seconds:g} s, degrees, less a lag of"
-        tables = {
-            "phases": (f"{walks} each limb", kept),
-            "phases-labelled": ("Mean errors of the feet in moving frames against labelled phases, "
-                                "degrees, less a constant lag of each", against)}
-        for name, (about, members) in tables.items():
-            keys = dict.fromkeys(key for row in members for key in row)
-            columns = {key: TITLES.get(key, [f"`{key}`" if key in sources else key, 1])
-                       for key in keys}
-            numbers = worst(rows["cyclic"]) if name == "phases" else {}
-            command = "python -m experiments phases --store"
-            Result(name, about, command, columns, members, {}, numbers).save()
-
-
-def _print_row(row: Row, sources: dict[str, ph.Source]) -> None:
-    for limbs, part in PARTS.items():
-        means = (row.phase[name][part.columns].nanmean() for name in sources)
-        errors = "".join(_number(mean, "°", 14) for mean in means)
-        frequency = _number(100 * part.frequency_error(row), " %", 12)
-        name, f1 = (row.name, f"{min(row.f1):>12.3f}") if limbs == "feet" else ("", "")
-        print(f"{name:<26}{limbs:<8}{errors}{frequency}{f1}")
 
 
 def worst(rows: list[Row]) -> dict[str, float]:
@@ -133,36 +111,26 @@ def worst(rows: list[Row]) -> dict[str, float]:
     return found | {"F1": min(min(row.f1) for row in rows)}
 
 
-def _labels(sources: dict[str, ph.Source], folder: Path | None, seconds: float,
+def against(sources: dict[str, ph.Source], folder: Path | None, seconds: float,
             seed: int) -> list[dict]:
-    """Print the errors against labelled phases: procedural transitions, and recorded takes."""
-    takes = [(f"{style} TR1", labels.planned(style, "TR1", seconds, seed)) for style in PLANNED]
+    """Errors against labelled phases: of procedural transitions, and of recorded takes.
+
+    The label is straight between the touch-downs of both feet, the floor between those of one.
+    """
+    takes = [(f"{style} TR1 (procedural)", labels.planned(style, "TR1", seconds, seed))
+             for style in PLANNED]
     place = folder or home.folder(labels.NAME)
     if folder is not None or place.is_dir():
-        takes += [(take.clip.name, take) for take in labels.read(place)]
+        takes += [(f"{take.clip.name} (recorded)", take) for take in labels.read(place)]
     else:
         print(f"no labelled recordings: {place} does not exist")
-    titles = "".join(f"{name:>14}" for name in sources)
-    print(f"{'degrees, labelled':<26}{'frames':>8}{'floor':>14}{titles}")
-    failed, kept = [], []
+    kept = []
     for name, take in takes:
         errors = {"floor": labels.floor(take)}
         errors |= {label: labels.errors(take, source) for label, source in sources.items()}
-        for i, side in enumerate(FEET):
-            frames = f"{int(take.labelled.sum()):>8}" if i == 0 else " " * 8
-            numbers = "".join(_number(error[i], "°", 14) for error in errors.values())
-            kind = "procedural" if name.endswith("TR1") else "recorded"
-            row = {"take": f"{name} ({kind})", "foot": side}
-            kept.append(row | {label: float(error[i]) for label, error in errors.items()})
-            print(f"{f'{name[:19]:<20}{side}':<26}{frames}{numbers}")
-            limit = min(LABEL_LIMIT, errors["floor"][i] + FLOOR_LIMIT)
-            if "hybrid" in errors and errors["hybrid"][i] > limit:
-                failed.append(f"{name} {side} {float(errors['hybrid'][i]):.1f}°")
-    print("Feet in moving frames, less a constant lag of each. The label is straight between the "
-          "touch-downs of both feet,\nthe floor between those of one. The contact source is the "
-          "paper's, and was the default's for feet.\n"
-          f"Limits of hybrid, the default: {LABEL_LIMIT:g}°, {FLOOR_LIMIT:g}° above the floor: "
-          f"{'; '.join(failed) or 'all kept'}")
+        kept += [{"take": name, "foot": side,
+                  **{label: float(error[i]) for label, error in errors.items()}}
+                 for i, side in enumerate(FEET)]
     return kept
 
 
@@ -191,7 +159,3 @@ def failures(row: Row) -> list[str]:
     if min(row.f1) < F1_LIMIT:
         found.append(f"F1 {min(row.f1):.3f}")
     return found
-
-
-def _number(value: Tensor, unit: str, width: int) -> str:
-    return f"{'—':>{width}}" if value.isnan() else f"{f'{float(value):.1f}{unit}':>{width}}"

@@ -21,7 +21,7 @@ from toolkit import datasets, features, networks, published, runtime, training
 from toolkit.evaluation import metrics, recognition
 from toolkit.evaluation.recognition import Recogniser
 from toolkit.extra import store
-from toolkit.features import Features, Layout, Normaliser, Split, natural_speed, splits
+from toolkit.features import Features, Normaliser, Split, natural_speed, splits
 from toolkit.io import model_files
 from toolkit.io.files import atomic_write
 from toolkit.networks import Predictor, Sizes
@@ -190,42 +190,17 @@ def one_step(model: Predictor, bank: StyleBank, test: Features,
              scale: Normaliser) -> dict[str, dict[str, float]]:
     """``joints``: the error of the joint features; ``shared``: that of all columns that all models
     predict (`shared_error`).
-
-    A model with another trajectory window, such as the published network, sees and predicts its
-    own, and has no ``shared``.
     """
-    if model.layout.samples == test.layout.samples:
-        return {style: {"shared": over_columns(test.layout, found), "joints": found["joints"]}
-                for style, found in block_errors(model, bank, test, scale).items()}
-    test = resampled(test, model.layout)
-    return {style: {"joints": found["joints"]}
+    return {style: {"shared": over_columns(test.layout, found), "joints": found["joints"]}
             for style, found in block_errors(model, bank, test, scale).items()}
-
-
-def resampled(data: Features, layout: Layout) -> Features:
-    """Features of a store, with the trajectory window of another layout, without rows whose window
-    leaves their take.
-    """
-    reach, kinds = layout.samples[-1] - data.layout.samples[-1], {kind: {}
-                                                                  for kind in features.FRAME_KINDS}
-    for style in data.styles:
-        at, takes = data.inputs[style].at, data.takes[style]
-        own = dataclasses.replace(data.inputs[style].derive.__self__, layout=layout)
-        last = {int(take): int(at[takes == take].max()) for take in takes.unique()}
-        inside = at <= torch.tensor([last[int(take)] for take in takes]) - max(0, reach)
-        for kind, derive in zip(kinds, (own.inputs, own.phases.__getitem__, own.outputs),
-                                strict=True):
-            kinds[kind][style] = features.Rows(derive, at[inside])
-    return dataclasses.replace(data, layout=layout, split=None, statistics=None, frames=None,
-                               **kinds)
 
 
 def ceiling(parameters: str | os.PathLike, data: Features, recogniser: Recogniser, plan: Plan,
             folder: Path) -> dict:
-    """The measures of the network that made the data: read from their file, or computed.
+    """The measures in closed loop of the network that made the data: read from their file, or
+    computed.
 
-    ``parameters`` is the folder of the published ones. Foot IK has changed the data, so its error
-    is not 0.
+    ``parameters`` is the folder of the published ones.
     """
     path = folder / CEILING
     if not path.exists():
@@ -233,7 +208,7 @@ def ceiling(parameters: str | os.PathLike, data: Features, recogniser: Recognise
         speeds = [natural_speed(data.clips[style][:]) for style in data.styles]
         bank = StyleBank(tuple(data.styles), torch.stack([bank[style] for style in data.styles]),
                          torch.tensor(speeds))
-        write_json(path, {"styles": both(model, bank, data, recogniser, plan)})
+        write_json(path, {"styles": closed_loop(model, bank, data, recogniser, plan)})
     return read_json(path)
 
 

@@ -47,10 +47,6 @@ def comparison(name: str, about: str, command: str, table: dict) -> Result:
         row[f"{part}_data"] for row in first.values()) / len(first)
               for part in ("clavicle", "hand")}
     numbers = {"recogniser on held-out seconds": table["recogniser"], **floors,
-               "styles of the first seed that are not recognised": {
-                   model: [s for s, row in found["runs"][0]["styles"].items()
-                           if not row["recognised"]]
-                   for model, found in table["models"].items()},
                "styles recognised": {model: [sum(row["recognised"]
                                                  for row in run["styles"].values())
                                              for run in found["runs"]]
@@ -60,9 +56,6 @@ def comparison(name: str, about: str, command: str, table: dict) -> Result:
             r["recognised"] for r in table["ceiling"]["styles"].values())
         numbers["styles of the published network that are not recognised"] = [
             s for s, row in table["ceiling"]["styles"].items() if not row["recognised"]]
-        joints = sorted(row["joints"] for row in table["ceiling"]["styles"].values())
-        numbers["joints of the published network: worst style, mean of the others"] = [
-            joints[-1], sum(joints[:-1]) / max(1, len(joints) - 1)]
     about_settings = {"size": settings["size"], "hidden": SIZES[settings["size"]].hidden,
                       "steps": settings["steps"],
                       "batch": settings["batch"], "style rates": settings["style_rates"],
