@@ -8,10 +8,14 @@ two options stay as they are.
 import contextlib
 import functools
 import shutil
+import sys
 import tempfile
+from contextlib import closing
+from itertools import islice
 from pathlib import Path
 from typing import Annotated
 
+import numpy as np
 import torch
 import typer
 from PIL import Image
@@ -19,6 +23,12 @@ from tqdm import tqdm
 
 import toolkit as tk
 from toolkit.datasets import procedural
+from toolkit.view.render.bodies import Body, Camera, Lines, Pose, axes
+from toolkit.view.render.mannequin import PALETTE, rgb
+from toolkit.view.render.stage import open_stage
+
+sys.path.append(str(Path(__file__).parents[1] / "notebooks"))
+from course.looping import loop
 
 OUT = Path(__file__).parent
 STATIC = OUT.parent / "toolkit" / "view" / "static"
@@ -67,7 +77,7 @@ def rollout(model, bank, style: str, speed: float, seconds: float = 10.0) -> tk.
 
 def looped(clip: tk.Clip) -> tk.Clip:
     """About two strides that repeat without a jump."""
-    return clip.cut(*tk.view.loop(clip))
+    return clip.cut(*loop(clip))
 
 
 def blended(model, bank, seconds: float = 2.0) -> tk.Clip:
@@ -145,7 +155,7 @@ def restyle(seconds: float = 4.0) -> None:
         for style in ("Zombie", "Old")
         for seed in (1, 2)
     }
-    start, end = tk.view.loop(walk)
+    start, end = loop(walk)
     tk.view.animate(
         [clip.cut(start, end) for clip in shown.values()],
         OUT / "restyle.webp",
@@ -157,15 +167,42 @@ def restyle(seconds: float = 4.0) -> None:
     )
 
 
+class Tinted(Body):
+    """A mannequin with a colour of its own."""
+
+    def __init__(self, clip: tk.Clip, number: int):
+        super().__init__(clip)
+        self.tint = rgb(PALETTE[number % len(PALETTE)])
+
+    def colors(self, frame: int) -> np.ndarray:
+        """Colours [V, 3] of the vertices."""
+        return 0.45 * super().colors(frame) + 0.55 * self.tint
+
+
 def crowd(model, bank) -> None:
     """Write the animation of two streams that cross, three seconds of it."""
-    clips = tk.shots.crowd.walk(model, bank, characters=100, seconds=10.0, progress=True).clips
-    tk.view.crowd(
-        [clip.cut(420, 600) for clip in clips],
-        OUT / "crowd.webp",
-        fps=8.0,
-        width=400,
-        progress=True,
+    fast = tk.runtime.compile(model)
+    scene = tk.shots.crowd.streams(bank, 100).spaced(fast, bank, bodies=0.4)
+    states = list(islice(scene.states(fast, bank), 600))[420:]
+    bodies = [Tinted(tk.runtime.record(fast, states, character=i), i) for i in range(100)]
+    frames = np.arange(0, 180, 60 // 8)
+    # a camera that sees every body in every frame
+    azimuth, tilt = np.radians((-30.0, 32.0))
+    bounds = [body.seen(frames, np.zeros((len(frames), 3)), azimuth, tilt) for body in bodies]
+    low, high = np.min([b[0] for b in bounds], 0), np.max([b[1] for b in bounds], 0)
+    right, up, back = axes(azimuth, tilt)
+    floor = (low[0] + high[0]) / 2 * right + (low[1] + high[1]) / 2 * up
+    camera = Camera(floor - back * floor[1] / back[1], azimuth, tilt, high[1] - low[1] + 0.6)
+    size = 400, round(400 * camera.height / (high[0] - low[0] + 0.6))
+    light = np.array([-0.35, 1.0, 0.25]) @ axes(azimuth, 0.0)
+    lines = Lines(reach=float(np.ptp([low, high], axis=0).max()))
+    with closing(open_stage(bodies, size, light, lines)) as stage:
+        pictures = [
+            Image.fromarray(stage.draw([Pose(body, frame) for body in bodies], camera))
+            for frame in tqdm(frames, desc="crowd")
+        ]
+    pictures[0].save(
+        OUT / "crowd.webp", save_all=True, append_images=pictures[1:], duration=125, loop=0
     )
 
 

@@ -22,8 +22,6 @@ VERBS = {
              "Render a file of shots, say what cannot be met, and write the motion."),
     "evaluate": ("toolkit.cli.evaluate:evaluate",
                  "Measure motion files with the field's measures, beside real ones."),
-    "crowd": ("toolkit.extra.shots.verbs:crowd",
-              "Let two crowds cross, each character in its own style blend."),
     "benchmark": ("toolkit.extra.benchmark.verbs:app",
                   "Score steered walks in a style by the benchmark StyleWalk."),
     "export": ("toolkit.__main__:export",

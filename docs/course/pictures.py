@@ -8,6 +8,7 @@ from pathlib import Path
 
 import torch
 from course import losses_page, plane
+from course.looping import loop
 from PIL import Image
 
 import toolkit as tk
@@ -40,7 +41,7 @@ def feet() -> None:
     states = list(tk.runtime.states(model, tk.runtime.straight(1.0, 6.0), bank["Neutral"]))
     contact = torch.stack([state.contacts[0] for state in states])[120:]
     walks = [tk.runtime.record(model, states, feet=locked).cut(120) for locked in (False, True)]
-    a, b = tk.view.loop(walks[1])
+    a, b = loop(walks[1])
     tk.view.animate(
         [clip.cut(a, b) for clip in walks],
         OUT / "feet.webp",
@@ -89,7 +90,7 @@ def five_losses() -> None:
 def write(name: str, clips: list[tk.Clip], labels: list[str]) -> None:
     """One loop of each clip, side by side."""
     tk.view.animate(
-        [clip.cut(*tk.view.loop(clip)) for clip in clips],
+        [clip.cut(*loop(clip)) for clip in clips],
         OUT / f"{name}.webp",
         labels=labels,
         **SHOW,

@@ -4,11 +4,12 @@ import copy
 import json
 
 import pytest
+from course import leaks
 
 import toolkit as tk
 from toolkit import features
 from toolkit.__main__ import main
-from toolkit.datasets import blocks, leaks, style100
+from toolkit.datasets import blocks, style100
 from toolkit.motion import trajectory
 
 GAITS = {"BR": (100, 4300), "FW": (250, 7600), "SR": (80, 1180), "ID": (30, 500)}
@@ -114,15 +115,11 @@ def planted(split, kind):
 
 @pytest.mark.parametrize("kind", ["overlap", "gap", "twin", "twin by name", "twin beside",
                                   "same take", "unseen style"])
-def test_planted_leaks_of_every_kind_are_found(tables, tmp_path, capsys, kind):
-    found = leaks.find(made := planted(tk.datasets.split("100style", root=tables), kind))
+def test_planted_leaks_of_every_kind_are_found(tables, kind):
+    found = leaks.find(planted(tk.datasets.split("100style", root=tables), kind))
     word = kind.split(" by ")[0].split(" beside")[0]
     assert found
     assert {line.split(":")[0] for line in found} == {word}
-    path = tmp_path / "split.json"
-    path.write_text(json.dumps(made))
-    assert main(["data", "leaks", str(path)]) == 1
-    assert capsys.readouterr().out.splitlines() == found
 
 
 def test_a_gap_of_the_window_is_enough_and_one_frame_less_is_not():
@@ -137,25 +134,21 @@ def test_a_gap_of_the_window_is_enough_and_one_frame_less_is_not():
     assert (len(many), many[-1]) == (1001, "and more: only 1000 leaks are listed")
 
 
-def test_the_verbs_write_a_split_and_find_no_leak_in_it(tables, tmp_path, capsys):
+def test_the_verb_writes_a_split(tables, tmp_path):
     path = tmp_path / "split.json"
-    split = ["split", "100style", "--root", str(tables), "--out", str(path)]
-    for verb in (split, ["leaks", str(path)]):
-        assert main(["data", *verb]) == 0
-    assert "no leak in" in capsys.readouterr().out
+    assert main(["data", "split", "100style", "--root", str(tables), "--out", str(path)]) == 0
     assert json.loads(path.read_text()) == tk.datasets.split("100style", root=tables).to_json()
 
 
-@pytest.mark.parametrize(("text", "message"), [
-    ("{", "split.json: Expecting"), ("[]", "expected an object with lists of blocks"),
-    ('{"train": [["A", "FW", 0]], "test": []}', "block 0 of train: expected .style, gait"),
-    ('{"train": [], "test": [["A", "FW", 5, 5]]}', "block 0 of test: expected .style, gait"),
-    ('{"train": [], "test": [], "gap": -1}', "expected gap, a number of frames"),
+@pytest.mark.parametrize(("split", "message"), [
+    ([], "expected an object with lists of blocks"),
+    ({"train": [["A", "FW", 0]], "test": []}, "block 0 of train: expected .style, gait"),
+    ({"train": [], "test": [["A", "FW", 5, 5]]}, "block 0 of test: expected .style, gait"),
+    ({"train": [], "test": [], "gap": -1}, "expected gap, a number of frames"),
 ])
-def test_what_is_no_split_is_refused(tmp_path, text, message):
-    (tmp_path / "split.json").write_text(text)
+def test_what_is_no_split_is_refused(split, message):
     with pytest.raises(ValueError, match=message):
-        leaks.find(tmp_path / "split.json")
+        leaks.find(split)
 
 
 def test_only_two_datasets_have_a_split():

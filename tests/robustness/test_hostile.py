@@ -19,7 +19,6 @@ from safetensors.torch import save_file
 
 import toolkit as tk
 from toolkit.__main__ import main
-from toolkit.datasets import leaks
 from toolkit.evaluation.recognition import Recogniser
 from toolkit.extra import store
 from toolkit.features import Normaliser
@@ -167,7 +166,7 @@ def test_devices_behind_references_are_not_read(kind, tmp_path):
     (tmp_path / "a.gltf").write_text(json.dumps(made.json))
     plant(tmp_path / "table" / "Frame_Cuts.csv")
     plant(tmp_path / "store" / "manifest.json")
-    for read in (lambda: tk.load(tmp_path / "a.gltf"), lambda: leaks.find(tmp_path / "a.bin"),
+    for read in (lambda: tk.load(tmp_path / "a.gltf"), lambda: tk.shots.load(tmp_path / "a.bin"),
                  lambda: tk.datasets.style100.frame_cuts(tmp_path / "table"),
                  lambda: store.load(tmp_path / "store")):
         with pytest.raises((ValueError, OSError)) as said:
@@ -180,7 +179,7 @@ def test_devices_behind_references_are_not_read(kind, tmp_path):
 def test_json_text_of_many_or_deep_values_is_refused(text, tmp_path):
     path = tmp_path / "manifest.json"
     path.write_text(text)
-    for read, place in ((leaks.find, path), (tk.shots.load, path), (store.load, tmp_path)):
+    for read, place in ((tk.shots.load, path), (store.load, tmp_path)):
         with pytest.raises(ValueError,
                            match=r"manifest\.json.*(2000000 values|too deeply|of digits)"):
             read(place)

@@ -10,7 +10,7 @@ from tqdm import tqdm
 
 from toolkit import datasets
 from toolkit.cli.verbs import ClipSeconds, Names, Root, Seed, Selection, say
-from toolkit.datasets import blocks, home, leaks, procedural
+from toolkit.datasets import blocks, home, procedural
 from toolkit.datasets.fetch import ORIGINS, RECORD, fetch, find, has, record
 from toolkit.io import save as saving
 
@@ -91,24 +91,6 @@ def data_split(
         say(f"{part:<11}{len(of_part):>6} blocks{frames:>11,} frames")
     unseen = ", ".join(made.unseen) or "none"
     say(f"unseen styles, in the test alone: {unseen}; wrote {out}")
-
-
-@app.command("leaks")
-def data_leaks(
-    split: Annotated[Path, typer.Argument(
-        help="JSON file of a split, as `data split` writes it.")],
-) -> None:
-    """Find leaks in any split; exit status 1 if there are any.
-
-    They are overlaps, gaps that are too small, mirror images, takes in two parts, and unseen styles
-    in the training.
-    """
-    found = leaks.find(split)
-    for line in found:
-        say(line)
-    if found:
-        raise typer.Exit(1)
-    say(f"no leak in {split}")
 
 
 @app.command("write")

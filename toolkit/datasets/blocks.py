@@ -2,8 +2,7 @@
 
 Neighbouring frames are almost equal, and the features of a frame reach 60 frames back and 51 ahead.
 So the parts are whole takes, or contiguous blocks with `GAP` frames between them that belong to no
-part. A block's mirror image belongs to the part of the block. `toolkit.datasets.leaks` checks these
-rules in any list.
+part. A block's mirror image belongs to the part of the block.
 """
 
 import hashlib
@@ -55,7 +54,7 @@ class Split:
     whole_takes: bool = False  # no take belongs to two parts
 
     def to_json(self) -> dict:
-        """The split as JSON values: what `save` writes and `toolkit.datasets.leaks` reads."""
+        """The split as JSON values: what `save` writes."""
         made = {"dataset": self.dataset, "unseen": list(self.unseen), "gap": self.gap,
                 "whole_takes": self.whole_takes}
         for part in PARTS:

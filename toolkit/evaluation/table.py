@@ -19,10 +19,7 @@ from toolkit.motion.tensors import as_tensor, through_numpy
 #: Measures of a clip; of a clip and the real clip with the same frames; of a recogniser and clips;
 #: of these and real clips.
 CLIP: dict[str, Callable[[Clip], float]] = {
-    "skate-smoodi": steps.skate_smoodi,
     "skate-kimodo": steps.skate_kimodo,
-    "skate-camdm": steps.skate_camdm,
-    "skate-rsmt": steps.skate_rsmt,
     "skate": quality.skate,
     "floor": quality.floor,
     "through": quality.through,
@@ -38,9 +35,7 @@ PAIR: dict[str, Callable[[Clip, Clip], float]] = {
     "npss": pairs.npss,
     "geodesic": pairs.geodesic,
     "global-position": pairs.global_position,
-    "global-quaternion": pairs.global_quaternion,
     "trajectory-error": pairs.trajectory_error,
-    "orientation-error": pairs.orientation_error,
     "stop": pairs.stop,
 }
 SET: dict[str, Callable[..., float]] = {
@@ -62,10 +57,10 @@ class _Measures(dict[str, Callable[..., float]]):
 MEASURES = _Measures(CLIP | PAIR | SET)
 POSITIONS = "global-position", "trajectory-error", "stop"  # those that need no rotations
 UNITS = {"jerk": "m/s3", "seconds": "s"}
-UNITS |= dict.fromkeys(("skate-rsmt", "skate", "speed", "stop"), "m/s")
+UNITS |= dict.fromkeys(("skate", "speed", "stop"), "m/s")
 UNITS |= dict.fromkeys(("global-position", "floor", "through", "stretch", "shake", "motion",
                         "slow-motion"), "m")
-UNITS |= dict.fromkeys(("geodesic", "trajectory-error", "orientation-error"), "rad")
+UNITS |= dict.fromkeys(("geodesic", "trajectory-error"), "rad")
 BEST = dict.fromkeys(MEASURES, "lower") | {"recognition-top1": "higher"}
 BEST |= dict.fromkeys(("jerk", "shake", "motion", "slow-motion", "speed", "seconds", "nearest",
                        "diversity", "multimodality"), "as real")

@@ -20,7 +20,7 @@ _find, __dir__, __all__ = lazy_loader.attach(
     ["frontend", "pages", "render", "widgets", "writers"],
     {
         "pages.live_page": ["web"], "pages.page": ["html"],
-        "render.animation": ["animate", "crowd", "loop"], "render.picture": ["strip"],
+        "render.animation": ["animate"], "render.picture": ["strip"],
         "widgets.controller": ["Controller"],
         "widgets.player": ["Player", "play"],
     },

@@ -18,7 +18,7 @@ from robustness.fuzz import Reader, foreign, mutations
 from typer.core import TyperCommand
 
 from toolkit import datasets, features, networks, runtime, training
-from toolkit.datasets import folder as own, leaks, procedural, published_files, style100
+from toolkit.datasets import folder as own, procedural, published_files, style100
 from toolkit.evaluation.recognition import Recogniser
 from toolkit.extra import shots, store
 from toolkit.io import bvh, decimals
@@ -53,7 +53,6 @@ WORK = {  # functions that a command calls after its checks; they are replaced h
     "toolkit.training.distributed": ("start",), "toolkit.features": ("build",),
     "toolkit.extra.store": ("preprocess",),
     "toolkit.training": ("fit",), "toolkit.cli.demo": ("embedded", "make"),
-    "toolkit.extra.shots.crowd": ("walk",),
     "toolkit.runtime": ("states",), "toolkit.datasets.procedural": ("load", "write"),
     "toolkit.cli.style": ("learn",), "toolkit.cli.stylize": ("stylize",),
     "toolkit.cli.train_stylizer": ("build",),
@@ -215,7 +214,7 @@ def _store(folder: Path) -> list[Reader]:
 
 
 def _shot(folder: Path) -> list[Reader]:
-    """A file of shots; one that is read must give finite plans. A split, whose leaks are found."""
+    """A file of shots; one that is read must give finite plans."""
     bank = training.pretrained().bank
     ways = [{"path": [[0, 0], [1, 2, 2.5], {"x": -1, "z": 4, "facing": [1, 0]}],
              "styles": [[0, "Neutral"]], "seed": 3},
@@ -239,13 +238,8 @@ def _shot(folder: Path) -> list[Reader]:
         except ValueError as error:  # of a style: the bank does not know the file
             raise error if str(path) in str(error) else ValueError(f"{path}: {error}") from None
 
-    split = json.dumps({"train": [["a", "FW", 0, 900], {"gait": "b", "stop": 80}],
-                        "test": [["a", "FW", 1200, 1300], "c"],
-                        "gap": 9, "whole_takes": False, "unseen": ["c"]}).encode()
     return [Reader("shot", folder / "shots.json", named, (scene,), mutations.json_text,
-                   "(?!.*not a JSON)"),
-            Reader("split", folder / "split.json", leaks.find, (split,), mutations.json_text,
-                   "(?!.*no JSON)")]
+                   "(?!.*not a JSON)")]
 
 
 def _cli(folder: Path) -> list[Reader]:
@@ -254,7 +248,7 @@ def _cli(folder: Path) -> list[Reader]:
     """
     from toolkit import __main__ as command_line
 
-    # `demo crowd` compiles too, for longer than an input may take
+    # `shot` compiles too, for longer than an input may take
     runtime.compile(training.pretrained().model)
     stylizers.pretrained()  # `stylize` loads it, too
     (folder / "folder").mkdir(exist_ok=True)

@@ -8,10 +8,9 @@ import lazy_loader
 
 __getattr__, __dir__, __all__ = lazy_loader.attach(__name__, submod_attrs={
     "bodies": ["hips_height", "hips_path", "on_feet", "path_error", "speed", "upright"],
-    "pairs": ["check_pair", "geodesic", "global_position", "global_quaternion", "npss",
-              "orientation_error", "phase_error", "stop", "trajectory_error"],
+    "pairs": ["check_pair", "geodesic", "global_position", "npss", "phase_error", "stop",
+              "trajectory_error"],
     "quality": ["floor", "jerk", "motion", "shake", "skate", "slow_motion", "stretch", "through"],
     "sets": ["diversity", "fmd", "frechet_distance", "multimodality", "nearest", "recognition"],
-    "steps": ["feet", "foot_skate", "skate_camdm", "skate_kimodo", "skate_rsmt", "skate_smoodi",
-              "step_rate"],
+    "steps": ["feet", "foot_skate", "skate_kimodo", "step_rate"],
 })

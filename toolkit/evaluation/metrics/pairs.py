@@ -6,7 +6,7 @@ import torch
 from torch import Tensor
 
 from toolkit.evaluation.metrics.bodies import hips_path
-from toolkit.motion import Clip, contacts, root_frames, rotations as R, trajectory
+from toolkit.motion import Clip, contacts, rotations as R
 
 STILL = 0.1  # m/s; slower hips have no direction of movement
 
@@ -73,18 +73,6 @@ def global_position(clip: Clip, real: Clip) -> float:
     return float(apart.norm(dim=-1).mean())
 
 
-def global_quaternion(clip: Clip, real: Clip) -> float:
-    """Global quaternion error L2Q (Harvey et al. 2020): no unit, lower is better.
-
-    The norm of the difference of all joints' world quaternions, mean over the frames. It grows with
-    the number of joints. Of the two signs of a quaternion the one nearer to the real clip's counts.
-    """
-    check_pair(clip, real)
-    a, b = clip.global_rotations, real.global_rotations.to(clip.rotations)
-    nearer = torch.minimum((a - b).square().sum(-1), (a + b).square().sum(-1))
-    return float(nearer.sum(-1).sqrt().mean())
-
-
 def trajectory_error(clip: Clip, real: Clip) -> float:
     """Trajectory error (CAMDM, Chen et al. 2024): angle between movements, radians in [0, π].
 
@@ -100,19 +88,10 @@ def trajectory_error(clip: Clip, real: Clip) -> float:
     for each in (clip, real):
         steps.append(hips_path(each).diff(dim=0).to(clip.global_positions) * each.fps)
     moving = torch.stack([step.norm(dim=-1) >= STILL for step in steps]).all(0)
-    return float(_turn(*steps)[moving].mean()) if moving.any() else math.nan
-
-
-def orientation_error(clip: Clip, real: Clip) -> float:
-    """Orientation error (CAMDM, Chen et al. 2024): angle between facings, radians in [0, π].
-
-    Lower is better. Facing is that of the root frame. The mean of absolute circular differences
-    over the frames, as in `trajectory_error`, whose source it shares.
-    """
-    check_pair(clip, real)
-    facing = [torch.stack(trajectory.heading(root_frames(each).rotations), -1).to(clip.rotations)
-              for each in (clip, real)]
-    return float(_turn(*facing).mean())
+    if not moving.any():
+        return math.nan
+    (x, z), (other_x, other_z) = (step[moving].unbind(-1) for step in steps)
+    return float(torch.atan2((x * other_z - z * other_x).abs(), x * other_x + z * other_z).mean())
 
 
 def stop(clip: Clip, real: Clip) -> float:
@@ -153,8 +132,3 @@ def phase_error(phase: Tensor, truth: Tensor) -> tuple[Tensor, Tensor]:
     rest = gap - lag
     return torch.atan2(rest.sin(), rest.cos()).abs().mean(0).to(phase), lag.to(phase)
 
-
-def _turn(a: Tensor, b: Tensor) -> Tensor:
-    """Angle between directions ``[..., 2]``, radians in [0, π]."""
-    cross = a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
-    return torch.atan2(cross.abs(), (a * b).sum(-1))

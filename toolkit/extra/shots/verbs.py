@@ -1,4 +1,4 @@
-"""The verbs `shot`, `crowd` and `export director`."""
+"""The verbs `shot` and `export director`."""
 
 import dataclasses
 import sys
@@ -9,12 +9,10 @@ import typer
 
 from toolkit import runtime
 from toolkit.cli.export import Figure, wrote
-from toolkit.cli.verbs import Published, Seed, Selection, TrainedRun, say
+from toolkit.cli.verbs import Published, Selection, TrainedRun, say
 from toolkit.evaluation.findings import told
 from toolkit.extra import shots
-from toolkit.extra.shots import crowd as crowds
 from toolkit.io import save as saving
-from toolkit.io.files import write_whole
 from toolkit.training import published
 
 
@@ -50,36 +48,6 @@ def shot(
         saving.save(clip, path, title=asked.name, progress=True)
         say(f"{asked.name or 'shot'}: {len(clip)} frames, {clip.seconds:.1f} s; wrote {path}")
     say(told(clips, scene.apart))
-
-
-def crowd(
-    out: Annotated[Path, typer.Option(help="Folder to write.")] = Path("out/crowd"),
-    characters: Annotated[int, typer.Option(help="Number of characters.")] = 100,
-    seconds: Annotated[float, typer.Option(help="Length of the motion.")] = 10.0,
-    model: TrainedRun = None,
-    parameters: Published = None,
-    threads: Annotated[int, typer.Option(help="Processor cores to use.")] = 1,
-    seed: Seed = 0,
-) -> None:
-    """Let two crowds cross, each character in its own style blend; write a picture, an animation
-    and the time taken.
-    """
-    say("The runtime is compiled at its first use; that takes a while.")
-    net, bank = published.either(model, parameters)
-    compiled = runtime.compile(net, threads=threads)
-    made = crowds.walk(compiled, bank, characters, seconds, seed=seed, progress=True)
-    say(f"{compiled}\n{made.report}")
-    from toolkit import view
-
-    out.mkdir(parents=True, exist_ok=True)
-    files = [out / name for name in ("crowd.gif", "crowd.png", "crowd.txt")]
-    view.crowd([clip.cut(stop=3 * runtime.FPS) for clip in made.clips], files[0], fps=8.0,
-               width=640, progress=True)
-    view.crowd(made.clips, files[1], fps=0, width=1200)
-    lines = [made.report, *(clip.style for clip in made.clips)]
-    write_whole(files[2], ("\n".join(lines) + "\n").encode())
-    for file in files:
-        say(f"  {file}")
 
 
 def director(

@@ -1,21 +1,19 @@
-"""Moving pictures of clips and of crowds."""
+"""Moving pictures of clips."""
 
 import math
 import os
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import ExitStack, closing
+from contextlib import ExitStack
 from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
-import torch
 from PIL import Image, ImageDraw, ImageFont
 from scipy.ndimage import gaussian_filter1d
 
 from toolkit.io.files import atomic_write
 from toolkit.io.progress import progress_bar
-from toolkit.motion import Clip, on_cpu, root_frames
-from toolkit.motion.contacts import velocities
+from toolkit.motion import Clip
 from toolkit.view.render.bodies import (
     BACK,
     Body,
@@ -26,7 +24,6 @@ from toolkit.view.render.bodies import (
     cast,
     steady_frames,
 )
-from toolkit.view.render.mannequin import PALETTE, rgb
 from toolkit.view.render.picture import INK
 from toolkit.view.render.skin import Figure, figure_of
 from toolkit.view.render.stage import open_stage
@@ -34,14 +31,8 @@ from toolkit.view.render.stage import open_stage
 TILT = 0.21  # radians by which the camera looks down
 GRID = 0.5  # metres between lines on the floor
 BOTTOM = -0.3  # metres of floor shown below the feet
-SECONDS = 1.6, 5.0  # of a loop, at least and at most
 COLORS = 64  # of a GIF
 ROW = 5  # cells that are put into one row
-# metres that differences between the ends of a loop count as: of headings, a radian; of velocities,
-# 1 m/s; a loop must match better by so much to be a second longer
-HEADING, GLANCE, LONGER = 0.8, 0.1, 0.02
-ABOVE = -30.0, 32.0  # degrees of the camera over a crowd, about the vertical and above the floor
-ROOM = 0.3  # metres around a crowd
 SUFFIXES = (".gif", ".png", ".apng", ".webp", ".mp4")
 
 
@@ -52,8 +43,7 @@ def animate(
 ) -> Path:
     """Write a looping animation of one or more motions, each in a cell, on a floor with lines.
 
-    `loop` finds the part of a clip that repeats without a jump. A clip shorter than the longest
-    starts again.
+    A clip shorter than the longest starts again.
 
     Parameters
     ----------
@@ -104,89 +94,6 @@ def animate(
                 yield _sheet(cells, labels)
 
     return _write(drawn(), path, fps)
-
-
-def crowd(
-    clips: Sequence[Clip], path: str | os.PathLike, *, fps: float = 12.5, width: int = 960,
-    progress: bool = False
-) -> Path:
-    """Write a looping animation of characters, each in its own colour, who share a floor.
-
-    The camera stands still.
-
-    Parameters
-    ----------
-    clips
-        One per character, of one skeleton, length and rate.
-    path, progress
-        As in `animate`.
-    fps, width
-        Pictures per second, 0 for the last frame alone; pixels.
-
-    Raises
-    ------
-    ValueError
-        If there is no clip, they differ in length, rate or skeleton, or the suffix is unknown.
-    """
-    path, clips = _checked(path), on_cpu(clips)
-    if len({(len(clip), clip.fps, clip.skeleton.names) for clip in clips}) != 1:
-        raise ValueError("a crowd needs clips of one length, rate and skeleton, got "
-                         f"{len(clips)} that differ or none")
-    first = clips[0]
-    at = np.arange(max(1, round(first.seconds * fps))) / fps if fps else [first.seconds]
-    frames = np.minimum(np.round(np.multiply(at, first.fps)).astype(int), len(first) - 1)
-    bodies = [Body(clip, tint=rgb(PALETTE[i % len(PALETTE)])) for i, clip in enumerate(clips)]
-    # A camera that sees every body in every frame.
-    azimuth, tilt = np.radians(ABOVE)
-    still = np.zeros((len(frames), 3))
-    bounds = [body.seen(frames, still, azimuth, tilt) for body in bodies]
-    low, high = np.min([b[0] for b in bounds], 0), np.max([b[1] for b in bounds], 0)
-    right, up, back = axes(azimuth, tilt)
-    x, y = (low + high) / 2
-    floor = x * right + y * up
-    camera = Camera(floor - back * floor[1] / back[1], azimuth, tilt, high[1] - low[1] + 2 * ROOM)
-    size = width, round(width * camera.height / (high[0] - low[0] + 2 * ROOM))
-
-    def drawn() -> Iterator[Image.Image]:
-        light = np.array([-0.35, 1.0, 0.25]) @ axes(azimuth, 0.0)
-        lines = Lines(reach=float(np.ptp([low, high], axis=0).max()))
-        with closing(open_stage(bodies, size, light, lines)) as stage:
-            for frame in progress_bar(frames, desc=path.name, show=progress):
-                poses = [Pose(body, frame) for body in bodies]
-                yield Image.fromarray(stage.draw(poses, camera))
-
-    return _write(drawn(), path, fps or 1.0)
-
-
-def loop(clip: Clip) -> tuple[int, int]:
-    """First and last (not included) frame of the part of a clip that best ends as it began.
-
-    Places and velocities of the joints in the root frame are compared, and the heading, in the
-    first half minute. A clip too short for a loop is taken whole. ValueError if the skeleton has no
-    hips or shoulders.
-    """
-    searched = clip.cut(stop=min(len(clip), round(30 * clip.fps)))
-    shortest, longest = (round(seconds * clip.fps) for seconds in SECONDS)
-    longest = min(longest, len(searched) - 3)
-    if shortest > longest:
-        return 0, len(clip)
-
-    # distances between all frames; a diagonal has those of all loops of one length
-    roots, positions = root_frames(searched), searched.global_positions
-    places = roots.to_local(positions).flatten(1)
-    moves = roots.turn_to_local(velocities(positions, clip.fps)).flatten(1)
-    heading = torch.from_numpy(steady_frames(searched, 0.5)[1])[:, None]
-    rows = torch.cat((places, GLANCE * moves), 1) / len(clip.skeleton) ** 0.5
-    rows = torch.cat((rows, HEADING * heading.to(rows)), 1)
-    apart = torch.cdist(rows, rows)
-
-    # the last frame is compared with the first, and neither is at an end of the clip
-    best = []
-    for frames in range(shortest, longest + 1):
-        misfit, start = apart.diagonal(frames)[1:-1].min(0)
-        best.append((float(misfit) + LONGER * frames / clip.fps, int(start) + 1, frames))
-    _, start, frames = min(best)
-    return start, start + frames
 
 
 class _Follow:

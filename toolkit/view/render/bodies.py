@@ -71,13 +71,12 @@ class Lines:
 class Body:
     """The mannequin of a clip, or a character of one's own on whose rig the clip is.
 
-    ``contacts`` [F, 2] colour the right and the left foot where they stand; a ``tint`` [3] colours
-    the whole mannequin.
+    ``contacts`` [F, 2] colour the right and the left foot where they stand.
     """
 
     def __init__(self, clip: Clip, contacts: np.ndarray | None = None,
-                 figure: Figure | None = None, tint: np.ndarray | None = None):
-        self.clip, self.contacts, self.tint, self.figure = clip, contacts, tint, figure
+                 figure: Figure | None = None):
+        self.clip, self.contacts, self.figure = clip, contacts, figure
         self.mannequin = mannequin.build(clip) if figure is None else None
         self.skin = self.mannequin.skin if figure is None else figure.skin
 
@@ -86,7 +85,7 @@ class Body:
         if self.mannequin is None:
             return self.figure.mesh.colors / 255
         stands = None if self.contacts is None else self.contacts[frame] > 0.5
-        return self.mannequin.colors(stands, self.tint)
+        return self.mannequin.colors(stands)
 
     def seen(self, frames: np.ndarray, path: np.ndarray, azimuth: np.ndarray | float,
              tilt: float) -> tuple[np.ndarray, np.ndarray]:

@@ -29,7 +29,6 @@ COLORS = {
     "face": "#2b323b",
 }
 CONTACT = "#35c46a"
-TINT = 0.55  # share of the own colour of a character in a crowd
 # Styles and curves, in order.
 PALETTE = ("#7b68c4", "#2fa596", "#d6598b", "#c9a227", "#5b8def", "#8a8f98")
 LARGEST = 1e6  # metres from the origin that are drawn
@@ -56,16 +55,12 @@ class Mannequin:
     feet: np.ndarray  # [V, 2] share of the right and the left foot
     light: np.ndarray  # [V] ambient light, 0 to 1
 
-    def colors(self, contacts: np.ndarray | None = None,
-               tint: np.ndarray | None = None) -> np.ndarray:
+    def colors(self, contacts: np.ndarray | None = None) -> np.ndarray:
         """Colour of every vertex [V, 3], 0 to 1.
 
-        Feet (right, left) in contact by ``contacts`` [2] have a colour of their own. A ``tint`` [3]
-        is mixed into all colours.
+        Feet (right, left) in contact by ``contacts`` [2] have a colour of their own.
         """
         found = self.tones @ TABLE
-        if tint is not None:
-            found = (1 - TINT) * found + TINT * tint
         if contacts is not None:
             shares = (self.feet @ np.asarray(contacts, float))[:, None]
             found += shares * (rgb(CONTACT) - found)

@@ -1,7 +1,6 @@
 """Leaks between the parts of a split: test frames that a training has seen, exactly or nearly."""
 
 import math
-import os
 import re
 from collections import defaultdict
 from collections.abc import Iterator, Mapping
@@ -9,7 +8,6 @@ from itertools import islice
 from typing import Any, NamedTuple
 
 from toolkit.datasets.blocks import GAP, PARTS, Split
-from toolkit.io import files
 from toolkit.motion.text import printable
 
 MOST = 1000  # leaks that are listed
@@ -29,16 +27,16 @@ class _Entry(NamedTuple):
         return f"{frames}{' mirrored' if self.mirror else ''} of {self.part}"
 
 
-def find(split: Split | Mapping[str, Any] | str | os.PathLike) -> list[str]:
+def find(split: Split | Mapping[str, Any]) -> list[str]:
     """Leaks in a split, one line each; an empty list if there is none.
 
     Parameters
     ----------
     split
-        A `toolkit.datasets.blocks.Split`, a JSON file, or what such a file holds: ``train``,
-        ``validation`` and ``test`` (one may be missing); and, if wanted, ``gap``, frames between
-        blocks of different parts of one take (by default `GAP`); ``whole_takes``, true if no take
-        may be in two parts; ``unseen``, styles of the test alone.
+        A `toolkit.datasets.blocks.Split`, or the JSON values of one: ``train``, ``validation`` and
+        ``test`` (one may be missing); and, if wanted, ``gap``, frames between blocks of different
+        parts of one take (by default `GAP`); ``whole_takes``, true if no take may be in two parts;
+        ``unseen``, styles of the test alone.
         A block is ``[style, gait, start, stop]``, with ``true`` at the end for a mirror image. A
         style or gait that ends in ``_M`` or ``_mirror`` is a mirror image, too. A name alone is a
         whole take; ``M012345`` is the mirror image of ``012345``, as in HumanML3D.
@@ -52,17 +50,9 @@ def find(split: Split | Mapping[str, Any] | str | os.PathLike) -> list[str]:
     Raises
     ------
     ValueError
-        If the file or a block is not in this form.
+        If it or a block is not in this form.
     """
-    if isinstance(split, Split | Mapping):
-        with files.named("split"):
-            return _found(split.to_json() if isinstance(split, Split) else split)
-    with files.named(os.fspath(split)):
-        return _found(files.parsed(files.read(split)))
-
-
-def _found(split: Any) -> list[str]:
-    """What `find` returns, of JSON values."""
+    split = split.to_json() if isinstance(split, Split) else split
     if not isinstance(split, Mapping) or sum(part in split for part in PARTS) < 2:
         raise ValueError("expected an object with lists of blocks, at least two of "
                          f"{', '.join(PARTS)}")
