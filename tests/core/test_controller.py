@@ -18,8 +18,8 @@ def trained():
 
 
 @pytest.fixture
-def control(trained):
-    made = Controller(*trained, styles=["Neutral", "Zombie", "Aeroplane"])
+def control(fast):
+    made = Controller(*fast, styles=["Neutral", "Zombie", "Aeroplane"])
     made.sent = []
     made.send = lambda content, buffers: made.sent.append((content, buffers[0]))
     yield made
@@ -67,11 +67,11 @@ def test_the_speed_is_that_of_the_blend_until_another_is_set(trained):
     assert control.speed == 1.7
 
 
-def test_the_marker_changes_the_style_smoothly(control, trained):
+def test_the_marker_changes_the_style_smoothly(control, fast):
     control.blend = {"Zombie": 3, "Old": 1}
     assert control.names == ["Zombie", "Old", "Neutral"]
     assert control.blend == {"Zombie": 0.75, "Old": 0.25, "Neutral": 0.0}
-    target = trained.bank.blend({"Zombie": 0.75, "Old": 0.25})
+    target = fast[1].blend({"Zombie": 0.75, "Old": 0.25})
     far = [float((control.state.style[0] - target).norm())]
     for frames in (1, 80):
         control.advance(frames)
@@ -125,7 +125,8 @@ def test_the_server_extension_sends_at_once():
     assert settings["kernel_websocket_connection_class"] is object
 
 
-def test_a_recording_becomes_a_clip(control):
+def test_a_recording_becomes_a_clip(trained):
+    control = Controller(*trained)
     with pytest.raises(ValueError, match="nothing recorded"):
         _ = control.clip
     control.advance(5)

@@ -57,9 +57,15 @@ def test_its_file_names_the_module_and_runs_no_code(run, tmp_path, monkeypatch):
     assert "\n" not in str(e.value)
 
 
-def test_a_style_is_added_to_it(run):
-    (clip,) = tk.datasets.load("procedural", styles=["Penguin"], gaits=["FW"], seconds=8.0)
-    new = tk.styles.fine_tune(run.model, clip, bank=run.bank, steps=8)
+@pytest.fixture(scope="module")
+def penguin():
+    clips = tk.datasets.load("procedural", styles=["Penguin"], gaits=["FW"], seconds=8.0)
+    return tk.features.build(clips)
+
+
+def test_a_style_is_added_to_it(run, penguin, monkeypatch):
+    monkeypatch.setattr("toolkit.styles.fine_tuning.WALK", (1.0, 0.5))
+    new = tk.styles.fine_tune(run.model, penguin, bank=run.bank, steps=8)
     assert new.method == "vector"
     assert new.bank.names == ("Neutral", "Zombie", "Penguin")
     assert new.losses[-1] < new.losses[0]

@@ -294,23 +294,23 @@ def test_each_of_the_seven_models_moves_a_character(seven, name):
     """Alone and in a crowd of several styles, through a live blend, and again from a file."""
     model, bank = seven[name].model, seven[name].bank
     blend = bank.blend({"Neutral": 0.4, "Zombie": 0.6})
-    commands = runtime.straight(1.0, 0.5)
+    # ten frames: such a model amplifies rounding, and a lock that opens a frame later makes
+    # another walk
+    commands = runtime.straight(1.0, 1 / 6)
     vectors = torch.stack((*bank.vectors, blend))
     crowd = list(runtime.states(model, commands, vectors))
     for i, vector in enumerate(vectors):
-        alone = list(runtime.states(model, commands, vector))
-        # ten frames: such a model amplifies rounding, and a lock that opens a frame later makes
-        # another walk
-        assert float((crowd[9].joints[i] - alone[9].joints[0]).abs().max()) < 1e-3
+        *_, alone = runtime.states(model, commands, vector)
+        assert float((crowd[-1].joints[i] - alone.joints[0]).abs().max()) < 1e-3
         assert crowd[-1].phase[i].shape == (model.layout.n_phases,)
     one, other, _ = crowd[-1].joints
     assert float((one - other).abs().max()) > 1e-4  # the vector counts
 
     def blended(frame):
-        return bank.blend({"Neutral": 1 - frame / 30, "Zombie": frame / 30})
+        return bank.blend({"Neutral": 1 - frame / 10, "Zombie": frame / 10})
 
     clip = runtime.rollout(model, commands, blended)
-    assert len(clip) == 30
+    assert len(clip) == 10
     assert bool(clip.global_positions.isfinite().all())
     switched = runtime.step(model, crowd[-1].with_style(bank["Zombie"]), commands[0])
     assert torch.equal(switched.style, bank["Zombie"].expand(3, -1))

@@ -275,7 +275,8 @@ def test_style_add_writes_the_same_file_with_one_vector_more(tmp_path, small_run
 
     learnt: list = []
     monkeypatch.setattr("toolkit.cli.style.learn", once)
-    monkeypatch.setattr(comparison, "SECONDS", 0.5)
+    for name in ("WARM_UP", "SECONDS", "LONGEST"):
+        monkeypatch.setattr(comparison, name, 0.5)
     run, out, clips = tmp_path / "run.safetensors", tmp_path / "new.safetensors", tmp_path / "clips"
     small_run.save(run)
     tk.bvh.save(crouch, clips / "a.bvh")

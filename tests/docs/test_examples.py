@@ -85,10 +85,6 @@ def test_gym_loop_rewards_the_better_policy_and_repeats_itself(ran):
     for _ in range(50):
         seen, _, strayed, _, _ = one.step(-2 * seen[:2])  # away from the path
     assert strayed
-
-
-def test_gym_loop_is_what_gymnasium_wants(ran):
     checker = pytest.importorskip("gymnasium.utils.env_checker", reason="needs gymnasium")
-    walk = ran("gym_loop.py")[0]["Walk"]
     # which warns, and so fails here, where it is not content
     checker.check_env(walk(), skip_render_check=True)
