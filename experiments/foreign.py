@@ -95,9 +95,7 @@ KEY = {
     "pymo__AV_8Walk_Meredith_HVHA_Rep1.bvh": Answer("Hips", MIXAMO, unit=INCH, forwards=True),
     "rpm.glb": Answer("Hips", MIXAMO, unit=1.0),
     "skel.fbx": Answer(verdict="warned"),
-    "soma.npz": Answer("Hips", "{}Arm {}ForeArm {}Hand {}Leg {}Shin {}Foot {}ToeBase", unit=1.0,
-                       verdict="warned",
-                       forwards=True),
+    "soma.npz": Answer(verdict="refused"),  # Kimodo's joints and matrices
     "test.vrma": Answer("hips", "{}UpperArm {}LowerArm {}Hand {}UpperLeg {}LowerLeg {}Foot {}Toes",
                         ("left", "right"), 1.0),
     "unihumanoid_headeronly__bvh_cgspeed.bvh": Answer("Hips", MIXAMO, unit=CMU, verdict="warned"),

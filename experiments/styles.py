@@ -6,6 +6,7 @@ from typing import Annotated
 
 import torch
 import typer
+from course.style_space import clip_vectors, separation
 
 from toolkit import datasets, features, runtime, styles, training
 from toolkit.evaluation import metrics, recognition
@@ -83,8 +84,8 @@ def _adding(net: training.Run, data: Features, walks: list[Clip], judge: recogni
     sources = {f"one clip, {sum(c.seconds for c in walks) / len(new):.0f} s": features.build(walks),
                f"all, {learnt.n_frames / len(new) / runtime.FPS:.0f} s": learnt}
     seen = splits.split(data, 0.0, 0, bank.names)[0]
-    before, names = styles.clip_vectors(model, seen)
-    told = styles.separation(before, names).values()
+    before, names = clip_vectors(model, seen)
+    told = separation(before, names).values()
     right, sure = _recognised(model, bank, judge, speeds)
     print(f"\nnew styles: {', '.join(new)}")
     print("error on test frames; mean silhouette of the new styles' clips among the known "
@@ -117,8 +118,8 @@ def _silhouette(made: styles.NewStyles, method: str, data: Features, known: torc
     """
     if method == "vector":
         return "–"
-    vectors, labels = styles.clip_vectors(made.model, data)
-    told = styles.separation(torch.cat((known, vectors)), names + labels)
+    vectors, labels = clip_vectors(made.model, data)
+    told = separation(torch.cat((known, vectors)), names + labels)
     mine = [told[style] for style in made.names]
     return f"{sum(mine) / len(mine):.2f} ({min(mine):.2f})"
 

@@ -198,7 +198,7 @@ def _compiled(fast, x: Tensor, phases: Tensor, style: Tensor) -> Callable[[], Te
     z = torch.empty(len(x), fast.layout.n_outputs)
 
     def work() -> Tensor:
-        network.predict(*given, fast.weights, z.numpy(), 0, len(x))
+        network.predict(*given, fast.weights, z.numpy())
         return z
 
     return work

@@ -7,6 +7,7 @@ import re
 
 import pytest
 import torch
+from course.style_space import clip_vectors, separation
 from safetensors import safe_open
 
 import toolkit as tk
@@ -313,7 +314,7 @@ def clusters(spread: float) -> tuple[torch.Tensor, list[str]]:
 
 def test_separation_is_the_mean_silhouette():
     vectors, labels = clusters(1.2)
-    found = tk.styles.separation(vectors, labels)
+    found = separation(vectors, labels)
     apart = torch.cdist(vectors, vectors).view(24, 3, 8)
     for k, style in enumerate("abc"):
         own = []
@@ -321,16 +322,16 @@ def test_separation_is_the_mean_silhouette():
             a, b = float(row[k].sum()) / 7, min(float(row[j].mean()) for j in range(3) if j != k)
             own.append((b - a) / max(a, b))
         assert found[style] == pytest.approx(sum(own) / 8, abs=1e-5)
-    assert min(tk.styles.separation(*clusters(0.05)).values()) > 0.95
+    assert min(separation(*clusters(0.05)).values()) > 0.95
     for styles in (["a", "a", "b"], ["a", "a", "a"], ["a", "a"]):
         with pytest.raises(ValueError, match="two styles or more, of two clips or more each"):
-            tk.styles.separation(torch.zeros(3, 2), styles)
+            separation(torch.zeros(3, 2), styles)
 
 
 def test_vectors_of_single_clips_average_to_the_style(small_run):
     clips = tk.datasets.load("procedural", styles=["Neutral", "Zombie"], gaits=["FW"], seconds=12.0)
     data = tk.features.build(clips)
-    vectors, styles = tk.styles.clip_vectors(small_run.model, data)
+    vectors, styles = clip_vectors(small_run.model, data)
     assert styles == ["Neutral"] * 5 + ["Zombie"] * 5
     whole = small_run.model.style_vector(data.clips["Neutral"])
     torch.testing.assert_close(vectors[:5].mean(0), whole, atol=1e-5, rtol=1e-4)

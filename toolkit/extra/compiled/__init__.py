@@ -6,9 +6,6 @@ function for the present processor at its first use, and stores it on disk.
 
 import time
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
-from functools import cached_property
-from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -21,7 +18,6 @@ from toolkit.runtime import rules
 from toolkit.runtime.frame import CharacterState, pose, start, step
 from toolkit.runtime.steering import Command
 
-WORTHWHILE = 8  # least number of characters for one thread
 KERNELS = (frame.steer, network.predict, frame.follow, ik.pose)
 READ, MADE = 120, 1500  # least frames for which kernels are read, and are compiled, by `quick`
 Pair = tuple[float, float]
@@ -36,7 +32,7 @@ class CompiledModel:
     read from disk.
     """
 
-    def __init__(self, model, threads: int = 1):
+    def __init__(self, model):
         name = getattr(model, "name", type(model).__name__)
         if isinstance(model, CompiledModel):
             raise ValueError("the model is a compiled one already")
@@ -44,11 +40,9 @@ class CompiledModel:
             raise ValueError(f"only lpn-film can be compiled, got {name}")
         if model.calibrated:
             raise ValueError("a calibrated model cannot be compiled; set model.calibrated = False")
-        if not isinstance(threads, int) or threads < 1:
-            raise ValueError(f"threads must be a whole number from 1, got {threads!r}")
         self.layout: Layout = model.layout
         self.name, self.sizes, self.style_size = model.name, model.sizes, model.style_size
-        self.threads, self.life = threads, model.life
+        self.life = model.life
         for buffer in ("phases_mean", "phases_std", "outputs_mean"):  # `toolkit.runtime.start`
             setattr(self, buffer, getattr(model, buffer).clone())
         self.weights = network.Weights.of(model)
@@ -70,9 +64,8 @@ class CompiledModel:
 
     def __repr__(self) -> str:
         ready = f"{self.compiled} kernels compiled" if self.compiled else "kernels ready"
-        threads = f"{self.threads} thread{'s' * (self.threads > 1)}"
         size = f"{self.weights.bytes / 1e6:.1f} MB"
-        return f"CompiledModel({self.name}, {size}, {threads}; {ready} in {self.seconds:.1f} s)"
+        return f"CompiledModel({self.name}, {size}; {ready} in {self.seconds:.1f} s)"
 
     def step(self, state: CharacterState, command: Command) -> CharacterState:
         """`toolkit.runtime.step`."""
@@ -80,12 +73,7 @@ class CompiledModel:
         old = frame.State(*(self._array(state, name) for name in frame.State._fields))
         new = frame.State(*map(np.empty_like, old[:-1]), old.style)
         wanted, look = _pairs(command.velocity, count), _pairs(command.facing, count)
-        x, z = self._room(count)
-
-        def work(first: int, last: int) -> None:
-            self._advance(old, new, wanted, look, x, z, first, last)
-
-        self._share(work, count)
+        self._advance(old, new, wanted, look, *self._room(count))
         parts = dict(zip(new._fields[:-1], map(torch.from_numpy, new[:-1]), strict=True))
         return CharacterState(**parts, style=state.style)
 
@@ -127,7 +115,7 @@ class CompiledModel:
             vector = style.numpy()[None]
             old = frame.State(*(values[k] for values in rows.values()), vector)
             new = frame.State(*(values[k + 1] for values in rows.values()), vector)
-            self._advance(old, new, wanted, look, x, z, 0, 1)
+            self._advance(old, new, wanted, look, x, z)
         parts = {name: torch.from_numpy(values[1:, 0]) for name, values in rows.items()}
         return CharacterState(**parts, style=parts["history"].new_empty(frames, 0))
 
@@ -138,18 +126,14 @@ class CompiledModel:
         given = [self._array(state, name) for name in ("history", "joints", "toes", "drop")]
         rotations = np.empty((count, len(self.layout.skeleton), 4), np.float32)
         roots = np.empty((count, 3), np.float32)
-
-        def work(first: int, last: int) -> None:
-            ik.pose(*given, self._body, bool(feet), bool(arms), rotations, roots, first, last)
-
-        self._share(work, count)
+        ik.pose(*given, self._body, bool(feet), bool(arms), rotations, roots)
         return torch.from_numpy(rotations), torch.from_numpy(roots)
 
-    def _advance(self, old, new, wanted, look, x, z, first: int, last: int) -> None:
-        """One frame of characters ``first`` to ``last``; ``x`` and ``z`` are from `_room`."""
-        frame.steer(old, wanted, look, self._rules, x, new, first, last)
-        network.predict(x, old.phase, old.style, self.weights, z, first, last)
-        frame.follow(old, z, self._rules, self._body, new, first, last)
+    def _advance(self, old, new, wanted, look, x, z) -> None:
+        """One frame of all characters; ``x`` and ``z`` are from `_room`."""
+        frame.steer(old, wanted, look, self._rules, x, new)
+        network.predict(x, old.phase, old.style, self.weights, z)
+        frame.follow(old, z, self._rules, self._body, new)
 
     def _room(self, count: int) -> tuple[np.ndarray, np.ndarray]:
         """Arrays for the network's inputs and outputs."""
@@ -168,20 +152,6 @@ class CompiledModel:
                              f"each of {count} characters, got shape {list(tensor.shape)}")
         return np.ascontiguousarray(tensor.numpy(), np.float32)
 
-    def _share(self, work: Callable[[int, int], None], count: int) -> None:
-        """Call ``work`` on ranges that divide ``count`` characters, one thread per range."""
-        threads = min(self.threads, count // WORTHWHILE)
-        if threads <= 1:
-            work(0, count)
-            return
-        ends = [count * part // threads for part in range(threads + 1)]
-        for done in [self._pool.submit(work, *span) for span in pairwise(ends)]:
-            done.result()
-
-    @cached_property
-    def _pool(self) -> ThreadPoolExecutor:
-        return ThreadPoolExecutor(self.threads)
-
     @staticmethod
     def _misses() -> int:
         return sum(sum(kernel.stats.cache_misses.values()) for kernel in KERNELS)
@@ -191,25 +161,18 @@ step.register(CompiledModel)(CompiledModel.step)
 pose.register(CompiledModel)(CompiledModel.pose)
 
 
-def compile(model, *, threads: int = 1) -> CompiledModel:
+def compile(model) -> CompiledModel:
     """The same model compiled for this processor, to take its place in `toolkit.runtime`.
 
     The first call on a machine compiles; the result's representation shows the time. Later calls
     read the code from disk. ``docs/runtime.md`` gives times, and differences from the plain model.
 
-    Parameters
-    ----------
-    model
-        An LPN-FiLM, not calibrated.
-    threads
-        Number of threads that share the characters, at least eight characters each.
-
     Raises
     ------
     ValueError
-        If the model is not an LPN-FiLM, or is calibrated, or ``threads`` is not positive.
+        If the model is not an LPN-FiLM, or is calibrated.
     """
-    return CompiledModel(model, threads)
+    return CompiledModel(model)
 
 
 def quick(model, frames: int, say: Callable[[str], object] | None = None):

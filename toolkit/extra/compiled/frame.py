@@ -96,13 +96,13 @@ def _standing(rest, facing, direction, rules):
 
 
 @compiled()
-def steer(old, wanted, look, rules, x, new, start, stop):
+def steer(old, wanted, look, rules, x, new):
     """Fill x, and of the new state the smoothed command, the controllers and the future.
 
     ``wanted``, ``look`` are the command's velocity and facing ``[N or 1, 2]``, ``x [N, Dx]``.
     """
     current = len(rules.samples) - len(rules.position_shares)
-    for b in range(start, stop):
+    for b in range(len(old.history)):
         history, future, bent = old.history[b], old.future[b], new.future[b]
         # the command, smoothed, and the factor on its speed
         goal_x, goal_z = _pair(wanted[b if len(wanted) > 1 else 0])
@@ -239,11 +239,11 @@ def _advance(phase, update, predicted, pull, new):
 
 
 @compiled()
-def follow(old, z, rules, body, new, start, stop):
+def follow(old, z, rules, body, new):
     """Fill the rest of the new state from the network's outputs ``z [N, Dz]`` (section 4.4)."""
     width, count = old.joints.shape[1], old.phase.shape[1]
     before, predicted = np.empty((2, 3)), np.empty((2, 3))
-    for b in range(start, stop):
+    for b in range(len(old.history)):
         history, future, out = new.history[b], new.future[b], z[b]
         # the trajectory: sample 0 is the new root, the others are blended with the old ones
         root_x, root_z = _pair(old.history[b, -1])

@@ -266,15 +266,15 @@ def plant(body, rules, toes, root, contacts, old_drop, new_drop, joints):
 
 
 @compiled()
-def pose(histories, poses, toes, drops, body, feet, arms, rotations, roots, start, stop):
-    """Fill rows ``start`` to ``stop`` of local ``rotations [N, J', 4]`` and ``roots [N, 3]``.
+def pose(histories, poses, toes, drops, body, feet, arms, rotations, roots):
+    """Fill local ``rotations [N, J', 4]`` and ``roots [N, 3]``.
 
     ``histories [N, 61, 4]``, ``poses [N, 12 J]``, ``toes [N, 2, 3]`` and ``drops [N, 2]`` are of
     `toolkit.runtime.CharacterState`.
     """
     points = len(body.parents)
     turned, places = np.empty((points, 4)), np.empty((points, 3))
-    for b in range(start, stop):
+    for b in range(len(histories)):
         joints, root = poses[b], histories[b, -1]
         x, z, sin = triple(root)
         cos = np.float64(root[3])

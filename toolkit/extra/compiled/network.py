@@ -137,19 +137,19 @@ def _modulate(y, gamma, beta):
 
 
 @compiled()
-def predict(x, phases, style, weights, z, start, stop):
-    """Fill rows ``start`` to ``stop`` of ``z [N, Dz]`` with next frames, in physical units.
+def predict(x, phases, style, weights, z):
+    """Fill ``z [N, Dz]`` with next frames, in physical units.
 
     ``x [N, Dx]``, ``phases [N, 8]``, ``style [N or 1, 4 hidden]``.
     """
-    hidden, room = style.shape[1] // 4, min(stop - start, BATCH)
+    hidden, room = style.shape[1] // 4, min(len(x), BATCH)
     gates = np.empty((room, len(weights.biases[0])), np.float32)
     # room for inputs and outputs of the layers; columns of padding stay zero
     scaled = np.zeros((room, weights.experts[0].shape[1]), np.float32)
     first = np.zeros((room, weights.experts[1].shape[1]), np.float32)
     second = np.zeros((room, weights.experts[2].shape[1]), np.float32)
-    for begin in range(start, stop, BATCH):
-        end = min(begin + BATCH, stop)
+    for begin in range(0, len(x), BATCH):
+        end = min(begin + BATCH, len(x))
         count = end - begin
         mean, deviation = weights.means[0], weights.deviations[0]
         for b in range(count):

@@ -1,4 +1,4 @@
-"""NumPy files (.npz, .npy) with motion: SMPL and AMASS, HumanML3D, and Kimodo's SOMA skeleton."""
+"""NumPy files (.npz, .npy) with motion: SMPL and AMASS poses, joint positions."""
 
 import io
 import math
@@ -9,34 +9,19 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit.extra.formats import humanml3d
+from toolkit.extra.formats import positions
 from toolkit.io import files
 from toolkit.io.recording import Recording
 from toolkit.motion import Skeleton, forward_kinematics, rotations as R
 from toolkit.motion.roles import SIDES
 
-BODY = humanml3d.NAMES
+BODY = positions.NAMES
 SMPL = (*BODY, "left_hand", "right_hand")
-PARENTS = (*humanml3d.PARENTS, 20, 21)
+PARENTS = (*positions.PARENTS, 20, 21)
 PARTS = {"shoulder": "shoulder", "elbow": "elbow", "hand": "wrist", "hip": "hip", "knee": "knee",
          "foot": "ankle", "toe": "foot"}
 ROLES = {"hips": "pelvis"} | {
     f"{side}_{part}": f"{side}_{name}" for side in SIDES for part, name in PARTS.items()}
-
-# Kimodo's skeleton: parents by joint (github.com/nv-tlabs/kimodo, kimodo/skeleton/definitions.py)
-SOMA = {"Hips": "", "Spine1": "Hips", "Spine2": "Spine1", "Chest": "Spine2", "Neck1": "Chest",
-        "Neck2": "Neck1", "Head": "Neck2", "Jaw": "Head", "LeftEye": "Head", "RightEye": "Head"}
-for _chain in ("Chest Shoulder Arm ForeArm Hand", "Hips Leg Shin Foot ToeBase"):
-    for _side in ("Left", "Right"):
-        _above, *_names = _chain.split()
-        for _name in _names:
-            SOMA[_side + _name], _above = _above, _side + _name
-        if _above.endswith("Hand"):
-            SOMA |= {f"{_above}ThumbEnd": _above, f"{_above}MiddleEnd": _above}
-SOMA_PARTS = {"shoulder": "Arm", "elbow": "ForeArm", "hand": "Hand", "hip": "Leg", "knee": "Shin",
-              "foot": "Foot", "toe": "ToeBase"}  # LeftLeg is the hip, in other rigs the knee
-SOMA_ROLES = {"hips": "Hips"} | {
-    f"{side}_{part}": side.title() + name for side in SIDES for part, name in SOMA_PARTS.items()}
 
 # A T-pose facing +z, left +x, as shares of the body's height. Lengths of thigh, shank, upper arm,
 # forearm and foot, and the shoulders' width are Drillis and Contini's (1966, in Winter 2009, figure
@@ -52,10 +37,9 @@ ORIGIN = (0.0, -0.23, 0.0)  # metres from the origin of SMPL's template to its p
 # Names of arrays, the first that is there counts
 RATES = ("mocap_framerate", "mocap_frame_rate", "fps", "frame_rate", "framerate")
 JOINTS = ("posed_joints", "joints", "positions", "new_joints", "joints3d", "motion", "arr_0")
-VECTORS = ("new_joint_vecs", "vectors", "motion", "arr_0")
 PLACES = ("trans", "transl", "translation")
 WANTED = {"poses", "root_orient", "pose_body", "global_orient", "body_pose", "Jtr",
-          "global_rot_mats", *RATES, *JOINTS, *VECTORS, *PLACES}
+          *RATES, *JOINTS, *PLACES}
 WIDTHS = (66, 72, 156, 165)  # of poses: SMPL-H's body, SMPL, SMPL-H and SMPL-X with hands
 COUNTS = {22: 22, 24: 24, 52: 22, 55: 22}  # joints of HumanML3D, SMPL, -H, -X: how many are read
 
@@ -77,10 +61,8 @@ def read(path: str | os.PathLike) -> Recording:
       rotations of SMPL's 22 or 24 body joints; fingers and face are left out. Bone lengths come
       from the file if it has ``joints [F, 22 or more, 3]``. SMPL's own are part of a licensed model
       that we do not have: then they are those of an average person, and a doubt says so.
-    - ``posed_joints [F, J, 3]`` and ``global_rot_mats [F, J, 3, 3]``, J = 22 (SMPL) or 30 (SOMA),
-      as Kimodo writes them.
-    - ``[F, 22, 24, 52 or 55, 3]``, joint positions in SMPL's order (HumanML3D has the first 22), or
-      ``[F, 263]``, its numbers (`toolkit.extra.formats.humanml3d`). A rigid skeleton is fitted.
+    - ``[F, 22, 24, 52 or 55, 3]``, joint positions in SMPL's order (HumanML3D has the first 22). A
+      rigid skeleton is fitted.
 
     Raises
     ------
@@ -103,24 +85,18 @@ def read(path: str | os.PathLike) -> Recording:
         poses = _poses(arrays)
         if poses is not None:
             return _smpl(arrays, poses)
-        if {"global_rot_mats", "posed_joints"} <= arrays.keys():
-            return _kimodo(arrays)
-        for name in VECTORS:
-            if name in arrays and arrays[name].shape[1:] == (humanml3d.WIDTH,):
-                joints = humanml3d.to_joints(_tensor(arrays, name))
-                return _fitted(joints, "HumanML3D", humanml3d.FPS, [], unit=1.0, up="y")
         for name in JOINTS:
             shape = arrays[name].shape if name in arrays else ()
             if len(shape) == 3 and shape[1] in COUNTS and shape[2] == 3:
                 doubts: list[str] = []
-                rate = _rate(arrays, humanml3d.FPS, "as in HumanML3D", doubts)
+                rate = _rate(arrays, positions.FPS, "as in HumanML3D", doubts)
                 joints = _tensor(arrays, name)[:, : COUNTS[shape[1]]]
                 return _fitted(joints, "joint positions", rate, doubts)
         held = ", ".join(f"{name} {list(array.shape)}" for name, array in arrays.items())
         raise ValueError(
-            "no motion in it; expected poses and trans (SMPL, AMASS), joints [F, 22, 3], or "
-            f"HumanML3D's [F, 263]; it has {held[:200] or 'none of these'}; "
-            "np.savez(path, poses=…, trans=…) writes arrays under these names")
+            "no motion in it; expected poses and trans (SMPL, AMASS), or joints [F, 22, 3]; it has "
+            f"{held[:200] or 'none of these'}; np.savez(path, poses=…, trans=…) writes arrays "
+            "under these names; kimodo_convert makes BVH of Kimodo's files")
 
 
 def _poses(arrays: Mapping[str, np.ndarray]) -> Tensor | None:
@@ -192,32 +168,6 @@ def rest_pose(count: int) -> Tensor:
     return HEIGHT * torch.tensor(rows, dtype=torch.float64)
 
 
-def _kimodo(arrays: Mapping[str, np.ndarray]) -> Recording:
-    """Joints and their rotations in the world; bone lengths are exact."""
-    joints, matrices = _tensor(arrays, "posed_joints"), _tensor(arrays, "global_rot_mats")
-    frames, count = (*joints.shape, 0, 0)[:2]
-    above = tuple(list(SOMA).index(parent) if parent else -1 for parent in SOMA.values())
-    known = {30: (tuple(SOMA), above, SOMA_ROLES), 22: (BODY, humanml3d.PARENTS, ROLES)}
-    fits = joints.shape[2:] == (3,) and matrices.shape == (frames, count, 3, 3)
-    if not frames or not fits or count not in known:
-        raise ValueError("posed_joints [F, J, 3] and global_rot_mats [F, J, 3, 3] need J = 30 or "
-                         f"22; got {list(joints.shape)} and {list(matrices.shape)}")
-    names, parents, roles = known[count]
-    off = float((matrices @ matrices.mT - torch.eye(3)).abs().max())
-    if off > 1e-2 or float(torch.linalg.det(matrices).min()) < 0:
-        raise ValueError("global_rot_mats holds matrices that are no rotations")
-    world = R.from_matrix(matrices)
-    offsets = _offsets(parents, world, joints)
-    local = R.multiply(R.inverse(world[:, list(parents[1:])]), world[:, 1:])
-    local = torch.cat((world[:, :1], local), 1)
-    doubts: list[str] = []
-    rate = _rate(arrays, USUAL, "as Kimodo's", doubts)
-    ends = tuple(name for name in names if name.endswith("End"))
-    return Recording("Kimodo joints", names, parents, offsets, R.unroll(local.float()),
-                     joints[:, 0],
-                     rate, ends, unit=1.0, up="y", roles=dict(roles), doubts=tuple(doubts))
-
-
 def _fitted(joints: Tensor, format_: str, fps: float, doubts: list[str], unit: float | None = None,
             up: str | None = None) -> Recording:
     """A rigid skeleton fitted to positions ``[F, J, 3]``."""
@@ -227,7 +177,7 @@ def _fitted(joints: Tensor, format_: str, fps: float, doubts: list[str], unit: f
     if frames * count > FITTED:
         raise ValueError(f"{frames} frames of {count} joints are more than {FITTED} positions; "
                          "cut the file")
-    offsets, rotations, error = humanml3d.fit(PARENTS[:count], rest_pose(count), joints)
+    offsets, rotations, error = positions.fit(PARENTS[:count], rest_pose(count), joints)
     height = float((joints.amax(1) - joints.amin(1)).max())
     if error > RIGID * height:
         doubts.append("its bones change their lengths: joints of the rigid skeleton miss the "
