@@ -11,6 +11,7 @@ import torch
 import toolkit as tk
 from toolkit.extra.characters import retargeting
 from toolkit.extra.formats import npz
+from toolkit.motion import rotations as R
 
 TYPES = {"f4": 5126, "i2": 5122, "u2": 5123, "u1": 5121, "i1": 5120, "u4": 5125}
 SECOND = 46186158000
@@ -84,6 +85,8 @@ def fbx(records, version=7400, *, pack_arrays=True):
                 return b"L" + struct.pack("<q", x)
             case float():
                 return b"D" + struct.pack("<d", x)
+            case bytes():
+                return b"R" + struct.pack("<I", len(x)) + x
             case str():
                 return b"S" + struct.pack("<I", len(x.encode())) + x.encode()
             case np.ndarray():
@@ -150,6 +153,67 @@ def fbx_scene(models, curves, *, settings=None, other=None, version=7400,
     return fbx([("FBXHeaderExtension", [], [("OtherFlags", [], said)]),
                 ("GlobalSettings", [], [table(**wide)]), ("Objects", [], objects),
                 ("Connections", [], links)], version, pack_arrays=pack_arrays)
+
+
+def fbx_figure(character, picture):
+    """A character as FBX: in metres below a node in centimetres, Z up, with a material of a colour.
+
+    Half of the triangles show a picture from its lowest row at the feet to its highest at the head.
+    The mesh lies half a metre aside, and its node moves it back.
+    """
+    objects, links = [], []
+
+    def add(kind, name, what, *parts, to=0, prop=None):
+        objects.append((kind, [len(objects) + 1, f"{name}\0\x01{kind}", what], list(parts)))
+        links.append(["OP" if prop else "OO", len(objects), to, *([prop] if prop else [])])
+        return len(objects)
+
+    def array(name, values):
+        return (name, [np.ascontiguousarray(values).ravel()], [])
+
+    def layer(name, how, *arrays):
+        return (f"LayerElement{name}", [0], [("MappingInformationType", [how], []), *arrays])
+
+    rest, mesh, points = character.rest, character.mesh, character.points.astype(float)
+    turned, places = R.to_matrix(rest.global_rotations[0]), rest.global_positions[0]
+    angles = torch.rad2deg(R.to_euler(rest.rotations[0].double(), "ZYX")).flip(-1)
+    top = add("Model", "Armature", "Null", table(Lcl_Rotation=[90.0, 0.0, 0.0],
+                                                 Lcl_Scaling=[100.0] * 3))
+    bones = []
+    for j, parent in enumerate(mesh.parents):
+        move = rest.skeleton.offsets[j] if j else places[0]
+        bones.append(add("Model", mesh.names[j], "LimbNode", table(
+            Lcl_Translation=move.tolist(), Lcl_Rotation=angles[j].tolist()),
+            to=top if parent < 0 else bones[parent]))
+    body = add("Model", "Body", "Mesh", table(GeometricTranslation=[-0.5, 0.0, 0.0]), to=top)
+
+    across = np.stack((np.full(len(points), 0.5), np.interp(
+        points[:, 1], [points[:, 1].min(), points[:, 1].max()], [0.1, 0.9])), 1)
+    corners = mesh.triangles.copy()
+    corners[:, 2] = ~corners[:, 2]
+    kinds = np.arange(len(corners), dtype="<i4") % 2
+    geometry = add(
+        "Geometry", "Body", "Mesh", array("Vertices", points + np.array([0.5, 0.0, 0.0])),
+        array("PolygonVertexIndex", corners.astype("<i4")),
+        layer("UV", "ByPolygonVertex", array("UV", across),
+              array("UVIndex", mesh.triangles.astype("<i4"))),
+        layer("Material", "ByPolygon", array("Materials", kinds)),
+        to=body)
+    painted = add("Material", "Skin", "", to=body)
+    texture = add("Texture", "Skin", "", to=painted, prop="DiffuseColor")
+    add("Video", "Skin", "Clip", ("Content", [picture], []), to=texture)
+    add("Material", "Cloth", "", table(DiffuseColor=[0.0, 1.0, 0.0]), to=body)
+    skin = add("Deformer", "", "Skin", to=geometry)
+    for j, bone in enumerate(bones):
+        bound = np.eye(4)
+        bound[:3, :3], bound[:3, 3] = turned[j], places[j]
+        vertices, slots = np.nonzero((mesh.joints == j) & (mesh.weights > 0))
+        cluster = add("Deformer", "", "Cluster", array("Indexes", vertices.astype("<i4")),
+                      array("Weights", mesh.weights[vertices, slots]),
+                      array("Transform", np.linalg.inv(bound).T), to=skin)
+        links.append(["OO", bone, cluster])
+    return fbx([("GlobalSettings", [], [table(UpAxis=[2], UpAxisSign=[1], UnitScaleFactor=[1.0])]),
+                ("Objects", [], objects), ("Connections", [], [("C", link, []) for link in links])])
 
 
 def smpl_walk(seconds=1.0):

@@ -1,4 +1,4 @@
-"""Your own character: the skinned mesh of a glTF or VRM file, drawn in place of the mannequin."""
+"""Your own character: a skinned mesh of glTF, VRM or FBX, drawn in place of the mannequin."""
 
 import os
 from dataclasses import dataclass
@@ -10,6 +10,7 @@ import torch
 
 from toolkit.extra.characters import gltf_mesh
 from toolkit.extra.characters.anatomy import measure, with_toes
+from toolkit.extra.characters.fbx_figure import smooth
 from toolkit.extra.characters.gltf_mesh import SkinnedMesh
 from toolkit.extra.characters.retargeting import leaders, retarget
 from toolkit.motion import Clip, Skeleton, rotations as R
@@ -33,7 +34,7 @@ class Character:
 
     @classmethod
     def load(cls, path: str | os.PathLike) -> "Character":
-        """Read a character from a .glb, .gltf or .vrm file.
+        """Read a character from a .glb, .gltf, .vrm or .fbx file.
 
         The points stand in the pose of the file's nodes, or in the bind pose if that one shows no
         standing figure. Roles are found from the joints' names.
@@ -112,15 +113,9 @@ class Character:
     @cached_property
     def normals(self) -> np.ndarray:
         """Unit normals ``[V, 3]`` where the mesh is bound, the same for vertices at one place."""
-        corners = self.mesh.points[self.mesh.triangles]
-        faces = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-        _, same = np.unique(self.mesh.points.round(5), axis=0, return_inverse=True)
-        total = np.zeros((same.max() + 1, 3))
-        for corner in self.mesh.triangles.T:
-            np.add.at(total, same.ravel()[corner], faces)
-        normals = total[same.ravel()]
-        length = np.linalg.norm(normals, axis=1, keepdims=True).clip(1e-12)
-        return (normals / length).astype(np.float32)
+        places, same = np.unique(self.mesh.points.round(5), axis=0, return_inverse=True)
+        same = same.ravel()
+        return smooth(places, same[self.mesh.triangles])[same].astype(np.float32)
 
 
 def _clip(mesh: SkinnedMesh, pose: np.ndarray, name: str) -> Clip:

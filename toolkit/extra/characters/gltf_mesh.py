@@ -1,4 +1,4 @@
-"""The skinned mesh of a glTF file (.glb, .gltf, .vrm): vertices, triangles, weights, colours."""
+"""The skinned mesh of a glTF or FBX file: vertices, triangles, weights, colours."""
 
 import io
 import os
@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from toolkit.extra.characters.fbx_figure import glb
 from toolkit.extra.formats.gltf import pose
 from toolkit.extra.formats.gltf_file import (
     PACKED,
@@ -52,7 +53,7 @@ class SkinnedMesh:
 
 
 def read(path: str | os.PathLike) -> SkinnedMesh:
-    """Read the skinned meshes of a glTF file as one, with meshes that hang on a joint.
+    """Read the skinned meshes of a glTF or FBX file as one, with meshes that hang on a joint.
 
     Morph targets are left out, and of textures only the base colour is used.
 
@@ -62,17 +63,19 @@ def read(path: str | os.PathLike) -> SkinnedMesh:
         If the file is not glTF or damaged, holds no skinned mesh, or its mesh is compressed.
     """
     with named(path), np.errstate(all="ignore"):  # numbers that are not finite are refused
-        if Path(path).suffix.lower() == ".fbx":
-            raise ValueError("of an FBX file only the motion is read; a character is a .glb, .gltf "
-                             "or .vrm file, which Blender exports")
-        return _Reader(Path(path)).mesh()
+        return _Reader(opened(Path(path))).mesh()
+
+
+def opened(path: Path) -> Document:
+    """The document of a glTF file, or of an FBX file, which becomes one."""
+    return Document(path, glb(path) if path.suffix.lower() == ".fbx" else None)
 
 
 class _Reader:
     """A file's nodes, and how much of its meshes was read."""
 
-    def __init__(self, path: Path):
-        self.file = Document(path)
+    def __init__(self, file: Document):
+        self.file = file
         self.nodes, self.parents = self.file.listed("nodes"), self.file.parents
         self.vertices = 0
         self.images: dict[int, np.ndarray | None] = {}

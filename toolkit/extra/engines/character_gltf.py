@@ -1,4 +1,4 @@
-"""A character's own glTF file with a motion on it, in place of its animations."""
+"""A character's own file with a motion on it, in place of its animations, as glTF."""
 
 import copy
 import os
@@ -7,9 +7,10 @@ import numpy as np
 import torch
 
 from toolkit.extra.characters.character import Character
-from toolkit.extra.engines.gltf import STILL, Buffer, animation, container
+from toolkit.extra.characters.gltf_mesh import opened
+from toolkit.extra.engines.gltf import STILL, animation
 from toolkit.extra.formats.gltf import pose
-from toolkit.extra.formats.gltf_file import Document
+from toolkit.extra.formats.gltf_file import Buffer, container
 from toolkit.io.files import write_whole
 from toolkit.motion import Clip, rotations as R
 
@@ -26,7 +27,7 @@ def save(clip: Clip, path: str | os.PathLike, character: Character) -> None:
         If the character's file was changed, keeps its numbers outside of itself, or has some that
         JSON lacks.
     """
-    file = Document(character.path)
+    file = opened(character.path)
     if file.digest != character.mesh.digest:
         raise ValueError(f"{character.path}: was changed since it was read; run the command again")
     document = copy.deepcopy(file.document)

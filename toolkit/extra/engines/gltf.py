@@ -1,20 +1,17 @@
 """glTF 2.0: a clip as a skinned mannequin with its animation, in one binary file (.glb)."""
 
-import json
 import os
-import struct
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
 import torch
 
 from toolkit import registry
+from toolkit.extra.formats.gltf_file import Buffer, container
 from toolkit.io.files import write_whole
 from toolkit.motion import Clip, rotations as R
 
-COMPONENTS = {"f4": 5126, "u4": 5125, "u2": 5123}  # numpy's types to glTF's
-KINDS = {(): "SCALAR", (3,): "VEC3", (4,): "VEC4", (4, 4): "MAT4"}  # shapes of a row
 STILL = 1e-6  # a channel that changes by less is left out, quaternion components and metres
 VERTICES, INDICES = 34962, 34963  # targets of glTF's buffer views
 
@@ -74,29 +71,6 @@ def save(clip: Clip, path: str | os.PathLike) -> None:
     write_whole(path, container(document, buffer))
 
 
-class Buffer:
-    """The binary part and its description: one view and one accessor per array."""
-
-    def __init__(self, data: bytes = b"", views: Sequence[dict] = (),
-                 accessors: Sequence[dict] = ()):
-        self.data = bytearray(data + b"\0" * (-len(data) % 4))
-        self.views, self.accessors = list(views), list(accessors)
-
-    def add(self, values: np.ndarray, target: int | None = None, *, bounds: bool = False) -> int:
-        """Index of the accessor of an array ``[N, ...]`` of float32, uint32 or uint16."""
-        values = np.ascontiguousarray(values)
-        view = {"buffer": 0, "byteOffset": len(self.data), "byteLength": values.nbytes}
-        self.views.append(view | ({} if target is None else {"target": target}))
-        self.data += values.tobytes() + b"\0" * (-values.nbytes % 4)
-        made = {"bufferView": len(self.views) - 1, "count": len(values),
-                "componentType": COMPONENTS[values.dtype.str[1:]], "type": KINDS[values.shape[1:]]}
-        if bounds:
-            flat = values.reshape(len(values), -1)
-            made |= {"min": flat.min(0).tolist(), "max": flat.max(0).tolist()}
-        self.accessors.append(made)
-        return len(self.accessors) - 1
-
-
 def _primitive(buffer: Buffer, figure) -> dict:
     """The surface in the bind pose, its colours in linear light."""
     skin = figure.skin
@@ -125,17 +99,3 @@ def animation(buffer: Buffer, clip: Clip, tracks: Iterable[tuple[int, str, np.nd
         samplers.append({"input": times, "output": buffer.add(values.astype(np.float32)),
                          "interpolation": "LINEAR"})
     return {"name": title(clip), "samplers": samplers, "channels": channels}
-
-
-def container(document: dict, buffer: Buffer) -> bytes:
-    """The .glb file: a header, a JSON chunk and a binary chunk; ValueError for NaN in the text."""
-    document = document | {"bufferViews": buffer.views, "accessors": buffer.accessors}
-    buffers = document.get("buffers", [{}])
-    document["buffers"] = [buffers[0] | {"byteLength": len(buffer.data)}]
-    text = json.dumps(document, separators=(",", ":"), ensure_ascii=False, allow_nan=False)
-    text = text.encode(errors="replace")
-    text += b" " * (-len(text) % 4)
-    chunks = b""
-    for kind, chunk in ((b"JSON", text), (b"BIN\0", bytes(buffer.data))):
-        chunks += struct.pack("<I4s", len(chunk), kind) + chunk
-    return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks

@@ -30,8 +30,9 @@ OWN_RATE = 14  # the TimeMode whose rate is in CustomFrameRate
 USUAL = 30.0  # frames per second of the other modes
 ORDERS = ("ZYX", "YZX", "XZY", "ZXY", "YXZ", "XYZ")  # of the product, by RotationOrder
 BONES = (b"LimbNode", b"Limb", b"Root")
+FIGURE = b"Geometry", b"Deformer", b"Material", b"Texture", b"Video"  # objects of a skinned mesh
 OBJECTS = (b"Model", b"AnimationStack", b"AnimationLayer", b"AnimationCurveNode",
-           b"AnimationCurve", b"Deformer")  # that are read
+           b"AnimationCurve", *FIGURE)  # that are read
 TRACKS = {b"Lcl Translation": (0.0,) * 3, b"Lcl Rotation": (0.0,) * 3, b"Lcl Scaling": (1.0,) * 3}
 
 
@@ -52,7 +53,7 @@ def read(path: str | os.PathLike, animation: str | int | None = None) -> Recordi
         If the file is a text FBX, older than version 7, damaged, or holds no rigid skeleton.
     """
     with files.named(path):
-        return _Scene(files.read(path)).recording(animation)
+        return Scene(files.read(path)).recording(animation)
 
 
 @dataclass
@@ -76,7 +77,7 @@ class _CurveNode:
     curves: dict[bytes, int] = field(default_factory=dict)  # ids by axis
 
 
-class _Scene(Records):
+class Scene(Records):
     """Models, curves and connections of the file."""
 
     def __init__(self, data: bytes):
@@ -92,6 +93,8 @@ class _Scene(Records):
         self.curve_nodes: dict[int, _CurveNode] = {}
         self.curves: dict[int, Record] = {}
         self.clusters: set[int] = set()  # of a skin, each follows one bone
+        self.parts: dict[int, Record] = {}  # objects of `FIGURE`
+        self.below: dict[int, list[tuple[int, bytes]]] = {}  # what is connected to each, and how
         links = []
         for top in self.records(27, len(data)):
             for entry in self.children(top):
@@ -134,8 +137,10 @@ class _Scene(Records):
                 self.curve_nodes[key] = _CurveNode(self.properties(record))
             case b"AnimationCurve":
                 self.curves[key] = record
-            case b"Deformer" if kind == b"Cluster":
-                self.clusters.add(key)
+            case _:
+                self.parts[key] = record
+                if kind == b"Cluster":
+                    self.clusters.add(key)
 
     def _connect(self, link: list) -> None:
         """Connect an object to another one, or to a property of it."""
@@ -143,6 +148,7 @@ class _Scene(Records):
             return
         _, key, to, *prop = link
         name = prop[0] if prop and isinstance(prop[0], bytes) else b""
+        self.below.setdefault(to, []).append((key, name))
         if key in self.models and to in self.models:
             self.models[key].parent = to
         elif key in self.layers and to in self.stacks:
@@ -173,11 +179,20 @@ class _Scene(Records):
         joints = sum(m.kind in BONES or bool(chosen_nodes[key]) for key, m in self.models.items())
         at = sample_times(times, rate, joints, len(self.data))
 
+        moved = {key: {name: _track(self.models[key], name, node, curves, at, doubts)
+                       for name, node in tracks.items()} for key, tracks in chosen_nodes.items()}
+        nodes = self.nodes(moved)
+        if any(node.joint for node in nodes) and len(at) == 1:
+            doubts.append("no joint is animated; the pose of the nodes is given as it is")
+        return record(nodes, len(at), rate, format_="FBX", unit=self.unit, up=self.up,
+                      doubts=doubts)
+
+    def nodes(self, moved: dict[int, dict[bytes, np.ndarray]]) -> list[Node]:
+        """The models as nodes; ``moved`` holds the animated properties of some."""
         places, nodes = {key: i for i, key in enumerate(self.models)}, []
         for key, model in self.models.items():
-            moved = {name: _track(model, name, node, curves, at, doubts)
-                     for name, node in chosen_nodes[key].items()}
-            node = Node(model.name, places.get(model.parent, -1), *_transform(model.values, moved),
+            node = Node(model.name, places.get(model.parent, -1),
+                        *_transform(model.values, moved.get(key, {})),
                         skinned=model.skinned, plain=model.kind in (*BONES, b"Null"))
             node.joint = model.kind in BONES or len(node.rotation) > 1 or len(node.translation) > 1
             nodes.append(node)
@@ -188,14 +203,19 @@ class _Scene(Records):
             if model.values.get(b"InheritType", (0,))[:1] == (2,) and node.parent >= 0:
                 above = scales[node.parent]
                 node.scale = node.scale / np.where(above == 0, 1.0, above)
+        return nodes
 
-        if any(node.joint for node in nodes) and len(at) == 1:
-            doubts.append("no joint is animated; the pose of the nodes is given as it is")
-        up, sign = self._setting(b"UpAxis", 1), self._setting(b"UpAxisSign", 1)
+    @property
+    def unit(self) -> float | None:
+        """Metres of the file's unit of length; None if it says none that can be."""
         scale = float(self._setting(b"UnitScaleFactor", 1.0))
-        return record(nodes, len(at), rate, format_="FBX",
-                      unit=scale / 100 if 1e-6 < scale < 1e6 else None,
-                      up="xyz"[up] if up in (0, 1, 2) and sign == 1 else None, doubts=doubts)
+        return scale / 100 if 1e-6 < scale < 1e6 else None
+
+    @property
+    def up(self) -> str | None:
+        """The axis that points up; None if it is none of x, y and z."""
+        up, sign = self._setting(b"UpAxis", 1), self._setting(b"UpAxisSign", 1)
+        return "xyz"[up] if up in (0, 1, 2) and sign == 1 else None
 
     def _layer(self, animation: str | int | None,
                doubts: list[str]) -> dict[int, dict[bytes, _CurveNode]]:
@@ -221,18 +241,18 @@ def _track(model: _Model, name: bytes, node: _CurveNode, curves: dict[int, Curve
 
     An axis without a curve has the value of the curve node, or else of the model.
     """
-    still, track = _triple(model.values, name), np.empty((len(at), 3))
+    still, track = triple(model.values, name), np.empty((len(at), 3))
     for i, axis in enumerate((b"d|X", b"d|Y", b"d|Z")):
         curve = curves.get(node.curves.get(axis, 0))
         if curve is not None and len(curve.times):
             track[:, i], said = curve(at)
             doubts += [doubt for doubt in said if doubt not in doubts]
         else:
-            track[:, i] = _number(node.values.get(axis, still[i : i + 1]))
+            track[:, i] = number(node.values.get(axis, still[i : i + 1]))
     return track
 
 
-def _number(values: Sequence) -> float:
+def number(values: Sequence) -> float:
     """The first of some values; 0 if there is none."""
     value = values[0] if len(values) else 0.0
     if not isinstance(value, int | float) or not abs(value) < LARGEST:
@@ -240,13 +260,13 @@ def _number(values: Sequence) -> float:
     return float(value)
 
 
-def _triple(values: dict[bytes, tuple], name: bytes) -> np.ndarray:
+def triple(values: dict[bytes, tuple], name: bytes) -> np.ndarray:
     """A property of three numbers, by default zeros, of a scale ones."""
     given = values.get(name, TRACKS.get(name, (0.0,) * 3))
-    return np.array([_number(given[i : i + 1]) for i in range(3)])
+    return np.array([number(given[i : i + 1]) for i in range(3)])
 
 
-def _turn(degrees: np.ndarray, order: str = "ZYX") -> Tensor:
+def turn(degrees: np.ndarray, order: str = "ZYX") -> Tensor:
     """Rotations ``[F, 4]`` of angles about x, y and z ``[F, 3]``."""
     columns = ["XYZ".index(axis) for axis in order]
     return R.from_euler(torch.deg2rad(torch.from_numpy(degrees[:, columns])), order)
@@ -261,24 +281,24 @@ def _transform(values: dict[bytes, tuple],
     """
     tracks = []
     for name in TRACKS:
-        track = moved[name] if name in moved else _triple(values, name)[None]
+        track = moved[name] if name in moved else triple(values, name)[None]
         still = len(track) > 1 and np.ptp(track, axis=0).max() < 1e-9
         tracks.append(track[:1] if still else track)
     move, angles, scale = tracks
 
     # Rpre · R · Rpost⁻¹; both are unused where rotation limits do not count
-    limits = _number(values.get(b"RotationSpaceForLimitOnly", (0,)))
-    if _number(values.get(b"RotationActive", (1,))) and not limits:
-        order = int(_number(values.get(b"RotationOrder", (0,))))
-        turned = _turn(angles, ORDERS[order] if 0 <= order < len(ORDERS) else ORDERS[0])
-        before, after = (_triple(values, name)[None] for name in (b"PreRotation", b"PostRotation"))
-        turned = R.multiply(_turn(before), turned) if before.any() else turned
-        turned = R.multiply(turned, R.inverse(_turn(after))) if after.any() else turned
+    limits = number(values.get(b"RotationSpaceForLimitOnly", (0,)))
+    if number(values.get(b"RotationActive", (1,))) and not limits:
+        order = int(number(values.get(b"RotationOrder", (0,))))
+        turned = turn(angles, ORDERS[order] if 0 <= order < len(ORDERS) else ORDERS[0])
+        before, after = (triple(values, name)[None] for name in (b"PreRotation", b"PostRotation"))
+        turned = R.multiply(turn(before), turned) if before.any() else turned
+        turned = R.multiply(turned, R.inverse(turn(after))) if after.any() else turned
     else:
-        turned = _turn(angles)
+        turned = turn(angles)
 
     # All that stands right of the rotation moves a point before it turns
-    pivot, offset, scale_pivot, scale_offset = (_triple(values, name) for name in (
+    pivot, offset, scale_pivot, scale_offset = (triple(values, name) for name in (
         b"RotationPivot", b"RotationOffset", b"ScalingPivot", b"ScalingOffset"))
     if pivot.any() or scale_pivot.any() or scale_offset.any():
         inner = scale_offset - pivot + scale_pivot - scale * scale_pivot

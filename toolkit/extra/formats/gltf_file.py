@@ -3,7 +3,9 @@
 import base64
 import binascii
 import hashlib
+import json
 import struct
+from collections.abc import Sequence
 from functools import cached_property
 from pathlib import Path
 from urllib.parse import unquote
@@ -17,15 +19,17 @@ from toolkit.motion.text import printable
 
 COMPONENTS = {5120: "i1", 5121: "u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
+NUMBERS = {"f4": 5126, "u4": 5125, "u2": 5123}  # of arrays that are written
+KINDS = {(): "SCALAR", (2,): "VEC2", (3,): "VEC3", (4,): "VEC4", (4, 4): "MAT4"}  # shapes of a row
 PACKED = ("EXT_meshopt_compression", "KHR_meshopt_compression")
 
 
 class Document:
     """The JSON text and the buffers of a file; every defect is a ValueError."""
 
-    def __init__(self, path: Path):
+    def __init__(self, path: Path, data: bytes | None = None):
         self.path = path
-        data = read(path)
+        data = read(path) if data is None else data
         self.size = len(data)  # bytes of the file and of the buffers beside it
         self.digest = hashlib.sha256(data).digest()
         text, self.binary = _chunks(data) if data[:4] == b"glTF" else (data, None)
@@ -215,3 +219,45 @@ def unit_quaternions(turns: np.ndarray) -> np.ndarray:
     if not (length > 1e-6).all():
         raise ValueError("a rotation is no quaternion: its length is 0")
     return turns / length
+
+
+class Buffer:
+    """The binary part and its description: one view and one accessor per array."""
+
+    def __init__(self, data: bytes = b"", views: Sequence[dict] = (),
+                 accessors: Sequence[dict] = ()):
+        self.data = bytearray(data + b"\0" * (-len(data) % 4))
+        self.views, self.accessors = list(views), list(accessors)
+
+    def view(self, data: bytes, more: dict | None = None) -> int:
+        """Index of the view of some bytes."""
+        self.views.append({"buffer": 0, "byteOffset": len(self.data), "byteLength": len(data)}
+                          | (more or {}))
+        self.data += data + b"\0" * (-len(data) % 4)
+        return len(self.views) - 1
+
+    def add(self, values: np.ndarray, target: int | None = None, *, bounds: bool = False) -> int:
+        """Index of the accessor of an array ``[N, ...]`` of float32, uint32 or uint16."""
+        values = np.ascontiguousarray(values)
+        view = self.view(values.tobytes(), {} if target is None else {"target": target})
+        made = {"bufferView": view, "count": len(values),
+                "componentType": NUMBERS[values.dtype.str[1:]], "type": KINDS[values.shape[1:]]}
+        if bounds:
+            flat = values.reshape(len(values), -1)
+            made |= {"min": flat.min(0).tolist(), "max": flat.max(0).tolist()}
+        self.accessors.append(made)
+        return len(self.accessors) - 1
+
+
+def container(document: dict, buffer: Buffer) -> bytes:
+    """The .glb file: a header, a JSON chunk and a binary chunk; ValueError for NaN in the text."""
+    document = document | {"bufferViews": buffer.views, "accessors": buffer.accessors}
+    buffers = document.get("buffers", [{}])
+    document["buffers"] = [buffers[0] | {"byteLength": len(buffer.data)}]
+    text = json.dumps(document, separators=(",", ":"), ensure_ascii=False, allow_nan=False)
+    text = text.encode(errors="replace")
+    text += b" " * (-len(text) % 4)
+    chunks = b""
+    for kind, chunk in ((b"JSON", text), (b"BIN\0", bytes(buffer.data))):
+        chunks += struct.pack("<I4s", len(chunk), kind) + chunk
+    return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks

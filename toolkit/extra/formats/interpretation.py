@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import torch
+from torch import Tensor
 
 from toolkit.extra.formats.recorded_body import RecordedBody, heights
 from toolkit.extra.formats.role_checks import misfits
@@ -36,8 +37,8 @@ WAY = 5.0, 2.0  # metres: on a longer way, some foot stands in some frame, and s
 NEVER, PARTLY, MOSTLY = 0.02, 0.5, 0.8  # shares of the frames in which a toe stands
 MANY = 10  # joints beside a body that may be another one
 AXES = ("x", "y", "z", "-x", "-y", "-z")
-_TURNS = {"x": (0, 0, 90), "-x": (0, 0, -90), "-y": (180, 0, 0), "z": (-90, 0, 0),
-          "-z": (90, 0, 0)}  # degrees about x, y and z that turn an axis to y
+_TURNS = {"x": (0, 0, 90), "y": (0, 0, 0), "z": (-90, 0, 0), "-x": (0, 0, -90),
+          "-y": (180, 0, 0), "-z": (90, 0, 0)}  # degrees about x, y and z that turn an axis to y
 
 
 @dataclass
@@ -114,9 +115,8 @@ def interpret(recording: Recording, path: Path, unit: float | str = "auto", up: 
 
     # To metres with y up: the root alone is turned
     rotations, positions = recording.rotations, recording.root_positions * found.unit
-    if found.up in _TURNS:
-        angles = torch.tensor(_TURNS[found.up], dtype=torch.float64)
-        turn = R.from_euler(torch.deg2rad(angles), "XYZ")
+    if found.up != "y":
+        turn = upright(found.up)
         positions = R.rotate(turn, positions)
         root = R.multiply(turn.to(rotations), rotations[:, :1])
         rotations = torch.cat((root, rotations[:, 1:]), 1)
@@ -330,6 +330,11 @@ def _unit(body: RecordedBody, recording: Recording, found: Findings) -> float:
     found.doubt(f"in no known unit the body of {tall:.4g} units is as tall as people: "
                 f"it is scaled to {USUAL} m", "unit=")
     return USUAL / tall
+
+
+def upright(up: str) -> Tensor:
+    """Rotation ``[4]`` that turns an axis of `AXES` to y."""
+    return R.from_euler(torch.deg2rad(torch.tensor(_TURNS[up], dtype=torch.float64)), "XYZ")
 
 
 def named(unit: float) -> str:
