@@ -14,7 +14,7 @@ from toolkit.io import save as saving
 from toolkit.training import published
 
 Figure = Annotated[Path | None, typer.Option(
-    "--character", help="glTF or VRM file with a skinned mesh, in place of the mannequin.")]
+    "--character", help="glTF, VRM or FBX file with a skinned mesh, in place of the mannequin.")]
 
 
 def web(
