@@ -27,8 +27,10 @@ from toolkit.view.render.bodies import Body, Camera, Lines, Pose, axes
 from toolkit.view.render.mannequin import PALETTE, rgb
 from toolkit.view.render.stage import open_stage
 
-sys.path.append(str(Path(__file__).parents[1] / "notebooks"))
+sys.path += [str(Path(__file__).parents[1] / folder) for folder in (".", "notebooks")]
 from course.looping import loop
+
+from experiments import crowds
 
 OUT = Path(__file__).parent
 STATIC = OUT.parent / "toolkit" / "view" / "static"
@@ -182,7 +184,7 @@ class Tinted(Body):
 def crowd(model, bank) -> None:
     """Write the animation of two streams that cross, three seconds of it."""
     fast = tk.runtime.compile(model)
-    scene = tk.shots.crowd.streams(bank, 100).spaced(fast, bank, bodies=0.4)
+    scene = crowds.streams(100, 0, 1.0).spaced(fast, bank, bodies=0.1)
     states = list(islice(scene.states(fast, bank), 600))[420:]
     bodies = [Tinted(tk.runtime.record(fast, states, character=i), i) for i in range(100)]
     frames = np.arange(0, 180, 60 // 8)

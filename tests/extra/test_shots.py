@@ -11,7 +11,7 @@ from hypothesis import given, strategies as st
 
 import toolkit as tk
 from experiments.tables import Result
-from toolkit.extra.shots import Scene, Shot, apart, crowd, pins
+from toolkit.extra.shots import Scene, Shot, apart, pins
 from toolkit.extra.shots.feasibility import arrival, beside
 from toolkit.extra.shots.following import FPS, Course, Curve
 from toolkit.extra.shots.scene import _aimed
@@ -201,14 +201,6 @@ def test_a_place_within_reach_needs_no_other_path():
     held = Shot([(0, 0), (0, 4)], "Neutral", pins=[{"at": 2, "left_hand": (0.3, 1.2, 2)}])
     curve = held.plan(tk.pretrained().bank)[0].curve
     assert max(abs(curve.point(at)[0]) for at in curve.at) < 1e-9
-
-
-def test_streams_start_in_rows_and_cross():
-    for k, shot in enumerate(crowd.streams(tk.pretrained().bank, 18).shots):
-        start, end = [(p.x, p.z) if k % 2 else (p.z, p.x) for p in shot.path]
-        column, row = divmod(k // 2, 4)
-        assert start == pytest.approx((-6 - 2.4 * column, 2.4 * (row - 1.5)), abs=0.16)
-        assert end[0] - start[0] == pytest.approx(2.4 * (3 + 4) + 2 * 6, abs=0.02)
 
 
 def test_places_near_a_wall_move_off_it():
