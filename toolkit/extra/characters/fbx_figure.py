@@ -89,8 +89,8 @@ class _Figure(Scene):
                                for what in (b"Translation", b"Rotation", b"Scaling"))
         points = (scale * points) @ R.to_matrix(turn(angles[None]))[0].numpy().T + move
 
-        across = self._layer(parts, b"UV", b"UVIndex", polygon, corners)
-        material = self._layer(parts, b"Material", b"", polygon, corners)
+        across = self._at_corners(parts, b"UV", b"UVIndex", polygon, corners)
+        material = self._at_corners(parts, b"Material", b"", polygon, corners)
         material = np.zeros(len(corners)) if material is None else material[:, 0]
         materials, primitives = self.linked(model, b"Material"), []
         skin, joints, weights = self._skin(geometry, len(points))
@@ -144,8 +144,8 @@ class _Figure(Scene):
             "joints": bones, "inverseBindMatrices": self._add(np.stack(inverse))})} if bones else {}
         return skin, joints, weights
 
-    def _layer(self, parts: dict[bytes, Record], name: bytes, index: bytes, polygon: np.ndarray,
-               corners: np.ndarray) -> np.ndarray | None:
+    def _at_corners(self, parts: dict[bytes, Record], name: bytes, index: bytes,
+                    polygon: np.ndarray, corners: np.ndarray) -> np.ndarray | None:
         """Values ``[corners, C]`` of a layer at each corner; None where they do not fit."""
         if b"LayerElement" + name not in parts:
             return None
