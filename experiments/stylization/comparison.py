@@ -36,26 +36,15 @@ OURS: dict[str, dict] = {  # what differs from `Config.quick`
     "ours with the paper's ds": {"fading": False, "warm_up": 0},
 }
 METHODS = (*OURS, "1-D convolutions", "Aberman et al. 2020")
-PAPER = {
-    "noise": {"ours": (9.09, 0.7264), "ours without ds": (8.58, 0.7786),
-              "ours without sty and ds": (14.14, 0.5792)},
-    "reference": {"ours": (6.82, 0.6086), "Aberman et al. 2020": (15.86, 0.4281)},
-}
 COLUMNS: dict[str, list] = {
     "method": ["method"],
     "codes": ["style code from"],
     "fmd": ["FMD", 0],
-    "domain_fmd": ["FMD per style", 0],
     "content": ["content, %", 0, 100],
     "style": ["style, %", 0, 100],
     "both": ["both, %", 0, 100],
     "movement": ["style without mean pose, %", 0, 100],
     "diversity": ["diversity, °", 1],
-    "bone": ["bone error, cm", 1, 100],
-    "contact_f1": ["contact F1", 2],
-    "acceleration": ["acceleration", 2],
-    "paper_fmd": ["the paper: FMD", 1],
-    "paper_content": ["the paper: content, %", 0, 100],
 }
 
 
@@ -149,9 +138,6 @@ def summary(name: str, task: Task, plan: Plan, folder: Path) -> Result:
                            if key != "measures"}
         for by, measured in found[0]["measures"].items():
             values = {key: [run["measures"][by][key] for run in found] for key in measured}
-            printed = PAPER.get(by, {}).get(method, (None, None))
-            if plan.seconds == USUAL:
-                values |= dict(zip(("paper_fmd", "paper_content"), printed, strict=True))
             lines.append({"method": method, "codes": by, **values})
     real = task.sources[plan.part]
     about = (f"Bandai-Namco {name}, {', '.join(real.domains)} in {', '.join(real.contents)}; "

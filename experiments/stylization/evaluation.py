@@ -6,18 +6,13 @@ import torch
 from torch import Tensor
 
 from experiments.stylization.judges import Judges
-from toolkit.evaluation import metrics
 from toolkit.features.splits import generator
-from toolkit.motion import Clip, Skeleton, contacts, rotations as R
-from toolkit.stylization.data import FPS, Motions, to_clip
+from toolkit.stylization.data import Motions
 from toolkit.stylization.networks import Stylizer
 from toolkit.stylization.restyling import calm
 
-LOOSE = {"height": 0.03, "speed": 1.5}  # metres, m/s: limits of a contact before feet are held
-STEPPING = 1.0  # landings per second, least for walking or running
 BATCH = 64  # motions per forward pass
-STEPS = 100  # sources of the foot contacts, at most
-WAYS = ("noise", "reference", "dissimilar")
+WAYS = ("noise", "reference")
 SLIDE = range(-16, 17, 2)  # frames by which one motion is moved over another to compare them
 PAIRS = 400  # of real motions, for their own diversity
 
@@ -36,8 +31,8 @@ def evaluate(model: Stylizer, sources: Motions, references: Motions, judges: Jud
     judges
         Classifiers that were not trained on these motions.
     by
-        Source of the style codes: ``"noise"`` (Table 1), ``"reference"`` (Table 2), a random motion
-        of the domain, or ``"dissimilar"``, one of another content than the source's.
+        Source of the style codes: ``"noise"`` (Table 1), or ``"reference"`` (Table 2), a random
+        motion of the domain.
     seed
         Seed of noise and references.
     """
@@ -63,20 +58,16 @@ def results(model: Stylizer, sources: Motions, references: Motions, by: str, see
         codes = [model.code_from(z, target) for z in noise]
     else:
         codes = [_in_batches(model.code_of, references.x[chosen], target)
-                 for chosen in drawn(sources, references, by, seed)]
+                 for chosen in drawn(sources, references, seed)]
     made = [_in_batches(model.translate, x, code) for code in codes]
     return [calm(motion, x) for motion in made] if smooth else made
 
 
-def drawn(sources: Motions, references: Motions, by: str, seed: int) -> list[Tensor]:
+def drawn(sources: Motions, references: Motions, seed: int) -> list[Tensor]:
     """Rows [P] of the references of `results`, for the first and for the second result."""
-    rows, target = pairs(sources)
+    _, target = pairs(sources)
     fits = references.domain == target[:, None]  # [P, R]
-    if by == "dissimilar":
-        other = torch.tensor([[name != own for name in references.contents]
-                              for own in sources.contents])
-        fits &= other[sources.content[rows]][:, references.content]
-    draw = generator(seed, len(rows))
+    draw = generator(seed, len(target))
     return [torch.multinomial(fits.float(), 1, generator=draw)[:, 0] for _ in range(2)]
 
 
@@ -84,20 +75,14 @@ def measures(sources: Motions, target: Tensor, made: list[Tensor],
              judges: Judges) -> dict[str, float]:
     """Measures of results ``[P, 7, T, N]``, one or two for each source and target domain [P].
 
-    Those of `Judges.judge`; ``diversity``, the mean angle (degrees) between the joints of the two
-    results; ``bone``, the mean error of a bone's length (metres) in the positions;
-    ``contact_f1``, the agreement of foot contacts of sources that walk or run with their results',
-    before feet are held; ``acceleration``, the mean acceleration of the results' joints as a share
-    of the sources'.
+    Those of `Judges.judge`, and ``diversity``, the mean angle (degrees) between the joints of the
+    two results.
     """
     several = len(made)
     content, domain = sources.content.repeat(several), target.repeat(several)
     return {
         **judges.judge(torch.cat(made), content, domain),
         "diversity": float(angles(*made).mean()) if several > 1 else 0.0,
-        "bone": bone_error(made[0], sources.skeleton),
-        "contact_f1": contact_agreement(sources, made[0]),
-        "acceleration": float(acceleration(made[0]).mean() / acceleration(sources.x).mean()),
     }
 
 
@@ -138,41 +123,3 @@ def own_diversity(motions: Motions) -> float:
         return float("nan")
     chosen = torch.randperm(len(first), generator=generator(0))[:PAIRS]
     return float(angles(motions.x[first[chosen]], motions.x[second[chosen]]).mean())
-
-
-def bone_error(x: Tensor, skeleton: Skeleton) -> float:
-    """Mean error of the bones' lengths in the positions of motions ``[P, 7, T, N]``, metres."""
-    bones = (x[:, :3, :, 1:] - x[:, :3, :, list(skeleton.parents[1:])]).norm(dim=1)
-    return float((bones - skeleton.offsets[1:].norm(dim=-1)).abs().mean())
-
-
-def acceleration(x: Tensor) -> Tensor:
-    """Mean magnitude [P] of the joints' accelerations in the root frame, m/s²."""
-    return x[:, :3].diff(n=2, dim=2).norm(dim=1).mean((1, 2)) * FPS**2
-
-
-def contact_agreement(sources: Motions, made: Tensor) -> float:
-    """`contact_f1` of results [M, 7, T, N], by loose limits and for at most `STEPS` of them."""
-    chosen = torch.randperm(len(made), generator=generator(0, len(made)))[:STEPS]
-    sources, found = sources.select(chosen), []
-    for x in (sources.x, made[chosen]):
-        each = zip(x, sources.root_velocity, strict=True)
-        clips = [clip_of(*motion, sources.skeleton) for motion in each]
-        found.append(torch.stack([contacts.detect(clip, **LOOSE) for clip in clips]))
-    return contact_f1(*found)
-
-
-def clip_of(x: Tensor, root_velocity: Tensor, skeleton: Skeleton) -> Clip:
-    """The clip of a motion [7, T, N], which starts at the origin."""
-    origin = Clip(skeleton, R.identity(1, len(skeleton)), torch.zeros(1, 3), FPS)
-    return to_clip(x, root_velocity, origin)
-
-
-def contact_f1(source: Tensor, result: Tensor) -> float:
-    """F1 of the results' contacts [M, T, 2] as predictions of the sources'; NaN if none steps.
-
-    Two unrelated walks have an F1 of about 0.6.
-    """
-    steps = torch.tensor([metrics.step_rate(contact, FPS) >= STEPPING for contact in source])
-    a, b = source[steps], result[steps]
-    return float(2 * (a * b).sum() / (a.sum() + b.sum())) if len(a) else float("nan")

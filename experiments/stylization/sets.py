@@ -20,6 +20,7 @@ from toolkit.features.splits import generator
 from toolkit.stylization.data import Motions, build, split
 
 PARTS = ("test", "validation")
+FIFTHS = (*PARTS, "third", "fourth", "fifth")  # of the takes of dataset 1
 #: Styles of dataset 1 that a judge can tell apart.
 STYLES = ("feminine", "masculinity", "not-confident", "old", "tired")
 #: What contents are judged as; the others are of references only.
@@ -50,10 +51,14 @@ def load(name: str) -> Task:
         raise ValueError(f"the comparison knows {', '.join(SETS)}, not {name!r}")
     if name == "dataset-2":
         return many_takes(build(datasets.load("bandai", dataset=2), mirror=True))
+    return few_takes(dissimilar(), STYLES, CONTENTS)
+
+
+def dissimilar() -> Motions:
+    """All windows of dataset 1 with contents that all styles have, and their mirror images."""
     clips = datasets.load("bandai", dataset=1)
     common = {clip.gait for clip in clips if clip.style == STYLES[0]}
-    kept = [clip for clip in clips if clip.gait in common]
-    return few_takes(build(kept, mirror=True), STYLES, CONTENTS)
+    return build([clip for clip in clips if clip.gait in common], mirror=True)
 
 
 def many_takes(motions: Motions) -> Task:
@@ -77,9 +82,9 @@ def few_takes(motions: Motions, styles: tuple[str, ...], contents: Mapping[str, 
     common = _domains(motions.select(chosen), styles)
     named = _contents(motions.select(judged), contents)
     few = _contents(_domains(motions.select(chosen & judged), styles), contents)
-    sources = {name: few.select(part[chosen & judged] == k) for k, name in enumerate(PARTS)}
+    sources = {name: few.select(part[chosen & judged] == k) for k, name in enumerate(FIFTHS)}
     judges = {name: {"content": named.select(part[judged] != k),
-                     "style": common.select(part[chosen] != k)} for k, name in enumerate(PARTS)}
+                     "style": common.select(part[chosen] != k)} for k, name in enumerate(FIFTHS)}
     names = {**OTHERS, **contents}
     alike = _contents(common, {name: names.get(name, name) for name in motions.contents})
     references = {name: alike.select(part[chosen] == k) for k, name in enumerate(PARTS)}
