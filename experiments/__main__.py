@@ -19,6 +19,7 @@ EXPERIMENTS = {
     "stylization": ("experiments.stylization.comparison:run",
                     "The losses of Park et al. 2021 (Table 1), and their stylizer compared with "
                     "two methods (Table 2)."),
+    "stylization-rotation": experiments.command("experiments.stylization.rotation"),
     **{name: experiments.command(f"robustness.{name.replace('-', '_')}")
        for name in ("soak", "fuzz", "faults")},
 }

@@ -88,7 +88,7 @@ class NetworkJudge:
             adam = torch.optim.AdamW(judge.network.parameters(), RATE, weight_decay=DECAY)
             rates = torch.optim.lr_scheduler.LinearLR(adam, 1, 0, STEPS)
             for _ in range(STEPS):
-                rows = torch.multinomial(weight, 64, replacement=True, generator=draw)
+                rows = torch.multinomial(weight, 32, replacement=True, generator=draw)
                 start = int(torch.randint(FRAMES - PIECE + 1, (1,), generator=draw))
                 x = z[rows, :, start : start + PIECE]
                 if posture:

@@ -15,14 +15,15 @@ from experiments.stylization.floors import FLOORS
 from experiments.stylization.judges import Judge, Judges, NetworkJudge
 from experiments.tables import Result, Store
 from toolkit.features.splits import generator
-from toolkit.stylization import Stylizer
+from toolkit.stylization import Motions, Stylizer
 
 #: The twelve styles, in the three groups whose real clips the regression tells apart best.
 GROUPS = (("active", "angry", "musical", "tired"),
           ("childish", "feminine", "normal", "not-confident"),
           ("happy", "masculinity", "old", "proud"))
-KINDS = (Judge, NetworkJudge)
-METHODS = ("ours", "1-D convolutions", "1-D convolutions, as many iterations")
+KINDS = {"regression": Judge, "network": NetworkJudge}
+METHODS = ("ours", "1-D convolutions")  # the second has as many iterations as the first
+ENDLESS = 1e6  # seconds: the iterations end the training
 WINDOWS = 48  # of a part, at most, that are restyled
 DRAWS = 1000  # of the bootstrap
 SHARES = ("content", "style", "both", "movement")
@@ -42,52 +43,55 @@ Found = dict[tuple[str, str], list[dict[str, Tensor]]]
 def run(
     out: Annotated[Path, typer.Option(help="Folder of the runs; none is repeated.")] = (
         comparison.OUT / "rotation"),
-    seconds: Annotated[float, typer.Option(min=1, help="Processor time of a training.")] = 180,
-    seeds: Annotated[str, typer.Option(help="Comma-separated; a run of each.")] = "0",
+    seconds: Annotated[float, typer.Option(min=1, help="Processor time of our training.")] = 180,
+    seed: Annotated[int, typer.Option(help="Of weights, batches, noise and references.")] = 0,
     store: Store = False,
 ) -> None:
     """Restyle to each of twelve styles with a recipe that was chosen on five of them."""
     torch.set_num_threads(1)
-    motions, found, iterations = sets.dissimilar(), defaultdict(list), defaultdict(list)
+    motions, found, trainings = sets.dissimilar(), defaultdict(list), []
     for number, styles in enumerate(GROUPS, 1):
         task = sets.few_takes(motions, styles, sets.CONTENTS)
-        models = {}
-        for seed in comparison.numbers_in(seeds):
-            for method in METHODS:
-                plan = comparison.Plan(seconds)
-                if method == METHODS[2]:  # as many as ours had
-                    plan = comparison.Plan(1e6, iterations=iterations["ours"][-1])
-                path = out / "runs" / f"{number}-{comparison.slug(method)}-{seed}"
-                models[method, seed], about = comparison.trained(
-                    method.split(",")[0], task.train, plan.config(seed, warm_up=300), path, True)
-                iterations[method].append(about["iterations"])
-        for part in sets.FIFTHS:
-            judges = [Judges.train(task.judged[part], task.train, kind) for kind in KINDS]
-            real = task.sources[part]
-            found["real motion", ""].append(judged(real, real.domain, [real.x], judges))
-            if part in sets.PARTS:  # no generator learnt from it
-                some = sets.some(real, WINDOWS)
-                for name, made in restyled(task.train, some, task.references[part], models):
-                    rows, target = evaluation.pairs(some)
-                    found[name].append(judged(some.select(rows), target, made, judges))
-    result = summary(found, iterations, seconds)
+        models, plan = {}, comparison.Plan(seconds)
+        for method in METHODS:
+            path = out / f"{number}-{comparison.slug(method)}-{seed}"
+            config = plan.config(seed, warm_up=300)
+            models[method], about = comparison.trained(method, task.train, config, path, True)
+            trainings.append({"group": number, "method": method, **about})
+            plan = comparison.Plan(ENDLESS, iterations=about["iterations"])
+        for name, part in scored(task, models, seed):
+            found[name].append(part)
+    result = summary(found, trainings, seconds)
     print(f"\n{result.about}\n\n{result.markdown()}\n\n{result.numbers}")
     if store:
         print(f"wrote {result.save()}")
 
 
-def restyled(train: sets.Motions, sources: sets.Motions, references: sets.Motions,
-             models: Mapping[tuple[str, int], Stylizer]) -> Iterator[tuple]:
-    """Results of floors and models for `evaluation.pairs`, by method and where codes come from."""
-    rows, target = evaluation.pairs(sources)
-    for floor, make in FLOORS.items():
-        yield (floor, ""), [make(train)(sources.select(rows), target)]
-    for (method, seed), model in models.items():
-        for by in evaluation.WAYS:
-            yield (method, by), evaluation.results(model, sources, references, by, seed)
+def scored(task: sets.Task, models: Mapping[str, Stylizer],
+           seed: int) -> Iterator[tuple[tuple[str, str], dict[str, Tensor]]]:
+    """`judged` of real windows, of floors and of models, by method and where codes come from.
+
+    Real windows are those of all takes, each judged by judges that did not learn from it. Windows
+    are restyled that no generator learnt from.
+    """
+    for part in sets.FIFTHS:
+        judges = [Judges.train(task.judged[part], task.train, kind) for kind in KINDS.values()]
+        real = task.sources[part]
+        yield ("real motion", ""), judged(real, real.domain, [real.x], judges)
+        if part in sets.PARTS:
+            some = sets.some(real, WINDOWS)
+            rows, target = evaluation.pairs(some)
+            sources = some.select(rows)
+            for floor, make in FLOORS.items():
+                made = [make(task.train)(sources, target)]
+                yield (floor, ""), judged(sources, target, made, judges)
+            for method, model in models.items():
+                for by in evaluation.WAYS:
+                    made = evaluation.results(model, some, task.references[part], by, seed)
+                    yield (method, by), judged(sources, target, made, judges)
 
 
-def judged(sources: sets.Motions, target: Tensor, made: Sequence[Tensor],
+def judged(sources: Motions, target: Tensor, made: Sequence[Tensor],
            judges: Sequence[Judges]) -> dict[str, Tensor]:
     """What the judges say of results ``[P, 7, T, N]``, one or two for each source and target.
 
@@ -107,36 +111,35 @@ def judged(sources: sets.Motions, target: Tensor, made: Sequence[Tensor],
             "new": new[domain], "angle": angle.repeat(count)}
 
 
-def summary(found: Found, iterations: Mapping[str, list[int]], seconds: float) -> Result:
-    """The table: shares by each judge, with the interval of each judge's "both" and movement."""
-    lines, numbers = [], {"iterations": dict(iterations), "both on styles of no choice": {}}
+def summary(found: Found, trainings: list[dict], seconds: float) -> Result:
+    """The table: shares by each judge, "both" and movement with their intervals."""
     whole = {name: {key: torch.cat([part[key] for part in parts], -1) for key in parts[0]}
              for name, parts in found.items()}
-    shift = whole["mean-pose shift", ""]
+    shift, lines, gains, new = whole["mean-pose shift", ""], [], {}, {}
     for (method, codes), of in whole.items():
-        ends = interval(of)
-        cells = {}
+        name = f"{method} {codes}".strip()
+        shares, ends = of["right"].double().mean(-1), interval(of)
+        line = {"method": method, "codes": codes}
         for k, share in enumerate(SHARES):
-            cells[share] = " / ".join(
-                f"{100 * float(of['right'][j, k].float().mean()):.0f}"
-                + (f" ({100 * ends[0, j, k]:.0f} to {100 * ends[1, j, k]:.0f})" if k > 1 else "")
-                for j in range(len(KINDS)))
-        lines.append({"method": method, "codes": codes, **cells,
-                      "agree": float(of["agree"].float().mean()),
-                      "diversity": float(of["angle"].mean())})
-        gain = interval(of, shift) if method != "real motion" else None
-        numbers["both on styles of no choice"][f"{method} {codes}".strip()] = [
-            float(of["right"][j, 2, of["new"]].float().mean()) for j in range(len(KINDS))]
-        if gain is not None:
-            numbers[f"{method} {codes}".strip() + ", both above the mean-pose shift"] = (
-                gain[:, :, 2].tolist())
-    about = (f"Bandai-Namco dataset 1, every one of twelve styles as a target; {seconds:g} seconds "
-             f"of one processor thread for a training; regression / network as judges, with 95 % "
-             f"intervals of a bootstrap over {len(shift['take'].unique())} takes")
-    settings = {"seconds": seconds, "groups": GROUPS, "restyled": len(shift["take"]),
-                **machine("cpu")}
-    return Result("stylisation-rotation", about, "python -m experiments stylization-rotation "
-                  "--store", COLUMNS, lines, settings, numbers)
+            texts = [f"{100 * shares[j, k]:.0f}" + (
+                f" ({100 * ends[0, j, k]:.0f} to {100 * ends[1, j, k]:.0f})" if k > 1 else "")
+                for j in range(len(KINDS))]
+            line[share] = " / ".join(texts)
+        lines.append(line | {"agree": float(of["agree"].float().mean()),
+                             "diversity": float(of["angle"].mean())})
+        new[name] = of["right"][:, :, of["new"]].double().mean(-1).tolist()
+        if method in METHODS:
+            gains[name] = interval(of, shift).tolist()
+    about = (f"Bandai-Namco dataset 1, each of twelve styles as a target; {seconds:g} seconds of "
+             "one processor thread for each training of ours, one seed; by the regression / the "
+             f"network, 95 % intervals over {len(shift['take'].unique())} takes of sources")
+    settings = {"seconds": seconds, "groups": GROUPS, "results of a floor": len(shift["take"]),
+                "real windows": len(whole["real motion", ""]["take"]), **machine("cpu")}
+    numbers = {"trainings": trainings, "order": [list(KINDS), list(SHARES)],
+               "styles of no choice": new, "interval of the gain over the shift": gains}
+    return Result("stylisation-rotation", about,
+                  "python -m experiments stylization-rotation --store", COLUMNS, lines, settings,
+                  numbers)
 
 
 def interval(of: Mapping[str, Tensor], less: Mapping[str, Tensor] | None = None) -> Tensor:
