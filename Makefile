@@ -16,7 +16,7 @@ endif
 
 OPENGL := libegl1 libgl1-mesa-dri
 
-.PHONY: env opengl chromium demo test coverage lab docs wheel clean
+.PHONY: env opengl chromium demo test types cases coverage lab docs wheel clean
 
 env: $(VENV)/.complete
 
@@ -53,7 +53,12 @@ demo: env
 test: env
 	$(BIN)/ruff check
 	$(BIN)/lint-imports
+	@$(MAKE) --no-print-directory --jobs 2 types cases
+
+types: env
 	$(BIN)/mypy
+
+cases: env
 	$(BIN)/python -m pytest --numprocesses 2 --dist loadfile --no-loadscope-reorder --nbval-lax --nbval-current-env --nbval-cell-timeout 120 tests notebooks
 
 coverage: env

@@ -29,7 +29,7 @@ GROUPS = {
     "fit": ("phases/sinusoids.py phases/variable_projection.py phases/viterbi.py phases/windows.py",
             "fit phases"),
     "features": ("features/features.py features/layout.py", "features held_out"),
-    "networks": ("networks/experts.py networks/film.py", "networks adapters"),
+    "networks": ("networks/experts.py networks/film.py", "networks adapters convolution"),
     "frame": ("runtime/frame.py runtime/recording.py runtime/steering.py runtime/rules.py",
               "runtime compiled"),
     "losses": ("training/loss.py stylization/losses.py", "training held_out stylization"),

@@ -41,7 +41,8 @@ def test_a_character_begins_in_the_recorded_pose_and_place(clips):
         torch.testing.assert_close(state.root[i], m.world[m.at])
 
 
-def test_followed_recordings_stay_near_them_and_floors_are_farther(clips):
+def test_followed_recordings_stay_near_them_and_floors_are_farther(clips, monkeypatch):
+    monkeypatch.setattr(recorded, "SECONDS", 1.0)
     model, bank = tk.pretrained()
     recogniser = tk.evaluation.recognition.train(tk.features.build(clips), steps=10)
     run = training.Run(model, bank.select(["Neutral", "Zombie"]))

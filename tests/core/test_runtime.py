@@ -113,19 +113,6 @@ def test_arm_ik_brings_hands_to_their_predicted_positions(walk_clip, replayed):
     assert float((turned - wanted).norm()) < 0.005
 
 
-def test_a_crowd_moves_as_each_would_alone(small_run):
-    model, vectors = copy.deepcopy(small_run.model).double(), small_run.bank.vectors[:2].double()
-    crowd = runtime.start(model, vectors)
-    alone = [runtime.start(model, v) for v in vectors]
-    for command in runtime.straight(1.0, 0.5):
-        crowd = runtime.step(model, crowd, command)
-        alone = [runtime.step(model, s, command) for s in alone]
-    for i, state in enumerate(alone):
-        # a model of a few steps amplifies rounding
-        assert float((crowd.joints[i] - state.joints[0]).abs().max()) < 1e-7
-        assert float((crowd.root[i] - state.root[0]).abs().max()) < 1e-7
-
-
 def test_the_pose_that_is_fed_back_is_the_drawn_one(small_run):
     """Knees, feet and toes of the next input are those of the drawn pose before its hips sink."""
     model, bank = small_run.model, small_run.bank
@@ -285,35 +272,36 @@ def seven():
     sizes = tk.networks.Sizes(
         hidden=16, experts=3, gating=8, film_channels=4, film_kernel=5, film_dense=8, rank=4
     )
-    return {name: tk.training.fit(data, tk.training.Config.quick(model=name, steps=40, sizes=sizes))
+    return {name: tk.training.fit(data, tk.training.Config.quick(model=name, steps=40, refit=0, sizes=sizes))
             for name in tk.networks.MODELS}
 
 
 @pytest.mark.parametrize("name", tk.networks.MODELS)
 def test_each_of_the_seven_models_moves_a_character(seven, name):
-    """Alone and in a crowd of several styles, through a live blend, and again from a file."""
-    model, bank = seven[name].model, seven[name].bank
+    """As each would alone in a crowd of several styles, and through a live blend."""
+    # a model of a few steps amplifies rounding
+    model, bank = copy.deepcopy(seven[name].model).double(), seven[name].bank
     blend = bank.blend({"Neutral": 0.4, "Zombie": 0.6})
-    # ten frames: such a model amplifies rounding, and a lock that opens a frame later makes
-    # another walk
-    commands = runtime.straight(1.0, 1 / 6)
-    vectors = torch.stack((*bank.vectors, blend))
+    commands = runtime.straight(1.0, 1 / 4)
+    vectors = torch.stack((*bank.vectors, blend)).double()
     crowd = list(runtime.states(model, commands, vectors))
     for i, vector in enumerate(vectors):
         *_, alone = runtime.states(model, commands, vector)
-        assert float((crowd[-1].joints[i] - alone.joints[0]).abs().max()) < 1e-3
+        for part in ("joints", "root", "phase"):
+            apart = getattr(crowd[-1], part)[i] - getattr(alone, part)[0]
+            assert float(apart.abs().sum()) < 1e-6, part
         assert crowd[-1].phase[i].shape == (model.layout.n_phases,)
     one, other, _ = crowd[-1].joints
     assert float((one - other).abs().max()) > 1e-4  # the vector counts
 
     def blended(frame):
-        return bank.blend({"Neutral": 1 - frame / 10, "Zombie": frame / 10})
+        return bank.blend({"Neutral": 1 - frame / 15, "Zombie": frame / 15}).double()
 
     clip = runtime.rollout(model, commands, blended)
-    assert len(clip) == 10
+    assert len(clip) == 15
     assert bool(clip.global_positions.isfinite().all())
-    switched = runtime.step(model, crowd[-1].with_style(bank["Zombie"]), commands[0])
-    assert torch.equal(switched.style, bank["Zombie"].expand(3, -1))
+    switched = runtime.step(model, crowd[-1].with_style(vectors[1]), commands[0])
+    assert torch.equal(switched.style, vectors[1].expand(3, -1))
 
 
 def test_a_global_phase_stays_an_angle_and_goes_on(seven):

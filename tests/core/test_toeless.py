@@ -19,10 +19,11 @@ def clip(request):
     return clip
 
 
-def test_a_toeless_rig_is_learnt_and_walks(clip):
+def test_a_toeless_rig_is_learnt_and_walks(clip, monkeypatch):
+    monkeypatch.setattr("toolkit.styles.fine_tuning.WALK", (1.0, 0.2))
     sizes = tk.networks.Sizes(hidden=16, experts=2, gating=8, film_channels=4, film_kernel=5,
                               film_dense=8, dropout=0.0)
-    config = tk.training.Config.quick(steps=5, sizes=sizes)
+    config = tk.training.Config.quick(steps=5, refit=2, sizes=sizes)
     run = tk.training.fit(tk.features.build(clip), config)
     walked = tk.runtime.rollout(run.model, tk.runtime.straight(1.0, 0.5), run.bank["Neutral"])
     assert walked.skeleton.names == clip.skeleton.names

@@ -1,7 +1,5 @@
 import base64
 import re
-import subprocess
-import sys
 from itertools import pairwise
 
 import numpy as np
@@ -71,15 +69,6 @@ def walk(
 @pytest.fixture(scope="module")
 def clip() -> Clip:
     return walk()
-
-
-def test_a_start_loads_few_libraries():
-    heavy = "print({'pyvista', 'plotly', 'ipywidgets', 'matplotlib', 'scipy.ndimage', "
-    heavy += "'scipy.sparse', 'numba'} & set(sys.modules))"
-    code = f"import sys, toolkit as tk, toolkit.view\n{heavy}\n"
-    code += f"tk.view.Controller(*tk.pretrained())\n{heavy}"
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert done.stdout.splitlines() == ["set()", "{'ipywidgets'}"]
 
 
 # the body

@@ -296,10 +296,6 @@ def test_forged_times_take_no_memory(tmp_path):
     refused(gltf.read, path, "frames of 1 joints are more than")
     assert tracemalloc.get_traced_memory()[1] < 1e7
     tracemalloc.stop()
-    many = written(tmp_path / "b.gltf", b'{"a":[' + b"[]," * 3_000_000 + b"[]]}")
-    refused(gltf.read, many, "more than 2000000 values")
-    refused(gltf.read, written(tmp_path / "c.gltf", b"[" * 100_000),
-            "neither a GLB file nor JSON|nested too deeply")
     refused(gltf.read, tmp_path / "none.glb", "cannot be read")
 
 

@@ -21,6 +21,7 @@ import toolkit as tk
 from toolkit.__main__ import main
 from toolkit.evaluation.recognition import Recogniser
 from toolkit.extra import store
+from toolkit.extra.formats import gltf
 from toolkit.features import Normaliser
 from toolkit.io import model_files
 from toolkit.io.files import atomic_write
@@ -177,12 +178,11 @@ def test_devices_behind_references_are_not_read(kind, tmp_path):
 @pytest.mark.parametrize("text", ["[" + "[]," * 1_100_000 + "0]", "[" * 100_000, "9" * 5000],
                          ids=["many", "deep", "digits"])
 def test_json_text_of_many_or_deep_values_is_refused(text, tmp_path):
-    path = tmp_path / "manifest.json"
-    path.write_text(text)
-    for read, place in ((tk.shots.load, path), (store.load, tmp_path)):
-        with pytest.raises(ValueError,
-                           match=r"manifest\.json.*(2000000 values|too deeply|of digits)"):
-            read(place)
+    for name, read in (("manifest.json", tk.shots.load), ("manifest.gltf", gltf.read),
+                       ("manifest.json", lambda path: store.load(path.parent))):
+        (tmp_path / name).write_text(text)
+        with pytest.raises(ValueError, match=rf"{name}.*(2000000 values|too deeply|of digits)"):
+            read(tmp_path / name)
 
 
 def test_everything_is_written_whole_or_not_at_all():
