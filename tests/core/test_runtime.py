@@ -2,6 +2,7 @@
 
 import copy
 import dataclasses
+import functools
 import math
 
 import pytest
@@ -265,15 +266,13 @@ def test_straight_commands():
 
 
 @pytest.fixture(scope="module")
-def seven():
+def seven(two_styles):
     """Each of the seven models after a few steps, with its bank."""
-    clips = tk.datasets.load("procedural", styles=["Neutral", "Zombie"], gaits=["FW"], seconds=10.0)
-    data = tk.features.build(clips)
     sizes = tk.networks.Sizes(
         hidden=16, experts=3, gating=8, film_channels=4, film_kernel=5, film_dense=8, rank=4
     )
-    return {name: tk.training.fit(data, tk.training.Config.quick(model=name, steps=40, refit=0, sizes=sizes))
-            for name in tk.networks.MODELS}
+    quick = functools.partial(tk.training.Config.quick, steps=40, refit=0, sizes=sizes)
+    return {name: tk.training.fit(two_styles, quick(model=name)) for name in tk.networks.MODELS}
 
 
 @pytest.mark.parametrize("name", tk.networks.MODELS)
