@@ -207,32 +207,25 @@ def run(
     counts = {verdict: sum(row.verdict == verdict for row in rows)
               for verdict in ("right", "warned", "refused")}
     silent = [row.name for row in rows if row.wrong and row.verdict == "right"]
-    print(f"{len(rows)} files: {', '.join(f'{n} {verdict}' for verdict, n in counts.items())}; "
-          f"silently wrong: "
-          f"{', '.join(silent) or 'none'}; other verdict than the key: "
+    print(f"silently wrong: {', '.join(silent) or 'none'}; other verdict than the key: "
           f"{', '.join(other) or 'none'}")
     people = [row.name for row in rows if row.found is not None and KEY[row.name].roles]
     off = torch.tensor([carried(folder / name) for name in people])
     means, worst = off.T
-    print(f"a procedural walk on {len(people)} of their rigs: limbs {float(means.max()):.1f}° "
-          f"off on average at most, "
-          f"{float(means.median()):.1f}° in the median; {float(worst.max()):.0f}° at most in a "
-          f"frame")
+    columns = {"files": ["files", 0], **{verdict: [verdict, 0] for verdict in counts},
+               "wrong": ["silently wrong", 0], "rigs": ["rigs", 0],
+               "mean": ["limbs off, °: largest mean", 1], "median": ["median", 1],
+               "worst": ["worst frame", 0]}
+    found = Result(
+        "foreign", "Motion files of other programs, compared with a key made by hand, and a "
+        "procedural walk of four seconds on the rigs of those that hold people",
+        "python -m experiments foreign --store", columns, [
+            {"files": len(rows), **counts, "wrong": len(silent), "rigs": len(people),
+             "mean": float(means.max()), "median": float(means.median()),
+             "worst": float(worst.max())}])
+    print(f"{found.about}\n{found.markdown()}")
     if store:
-        columns = {"files": ["files", 0], **{verdict: [verdict, 0] for verdict in counts},
-                   "wrong": ["silently wrong", 0],
-                   "rigs": ["rigs", 0], "mean": ["limbs off, °: largest mean", 1],
-                   "median": ["median", 1],
-                   "worst": ["worst frame", 0]}
-        row = {"files": len(rows), **counts, "wrong": len(silent), "rigs": len(people),
-               "mean": float(means.max()),
-               "median": float(means.median()), "worst": float(worst.max())}
-        Result("foreign",
-               "Motion files of other programs, compared with a key made by hand, and a "
-               "procedural walk of four "
-               "seconds on the rigs of those that hold people",
-               "python -m experiments foreign --store", columns,
-               [row]).save()
+        found.save()
 
 
 def carried(path: Path) -> tuple[float, float]:

@@ -8,7 +8,7 @@ from typing import Annotated
 import torch
 import typer
 
-from experiments.tables import Result, line
+from experiments.tables import Result, Store
 from toolkit import published, runtime
 from toolkit.cli import verbs
 from toolkit.evaluation import metrics
@@ -36,9 +36,7 @@ def run(
     folder: Annotated[Path, typer.Option(help="Folder of shot files.")] = FOLDER,
     plain: Annotated[bool, typer.Option("--plain",
                                         help="The plain runtime, not the compiled one.")] = False,
-    save: Annotated[Path
-                    | None,
-                    typer.Option(help="Add the rows to the result shots in this folder.")] = None,
+    store: Store = False,
 ) -> None:
     """Distance from the path, arrivals and foot skate of every shot, beside the pilot of
     `toolkit.runtime.follow`.
@@ -53,14 +51,12 @@ def run(
         if scene.apart is None:  # who keeps apart leaves the path: `experiments.crowds`
             for shot in scene.shots:
                 rows.append({"model": name, **row(net, bank, shot)})
-                print(line(COLUMNS, rows[-1]), flush=True)
-    if save is not None:
-        known = Result.load("shots", save).rows if (save / "shots.json").exists() else []
-        Result("shots",
-               "the shots of examples/shots; the floor is the pilot of toolkit.runtime.follow on "
-               "the same path",
-               "python -m experiments shots", COLUMNS,
-               [*(r for r in known if r["model"] != name), *rows]).save(save)
+    found = Result("shots", "the shots of examples/shots; the floor is the pilot of "
+                   "toolkit.runtime.follow on the same path", "python -m experiments shots --store",
+                   COLUMNS, rows)
+    print(found.markdown())
+    if store:
+        found.save()
 
 
 def row(net, bank, shot: Shot) -> dict[str, float | str]:

@@ -14,7 +14,7 @@ import torch
 import typer
 
 from experiments.speed.runtime import FRAMES, farthest, some, walks
-from experiments.tables import Result
+from experiments.tables import Result, Store
 from toolkit import published, runtime
 from toolkit.cli import verbs
 from toolkit.motion import Clip
@@ -39,9 +39,7 @@ def run(
     equality: Annotated[bool, typer.Option(
         "--equality", help="Compare rollouts in Node with Python's instead.")] = False,
     styles: Annotated[int, typer.Option(min=1, help="Number of styles to compare.")] = 20,
-    save: Annotated[Path
-                    | None, typer.Option(help="Folder for the result page-speed or "
-                                              "page-equality.")] = None,
+    store: Store = False,
 ) -> None:
     """Milliseconds of a page's network and whole frame (without picture), JavaScript and
     WebAssembly SIMD.
@@ -59,10 +57,10 @@ def run(
                       "Rollouts of 20 styles with 600 frames in Node and in Python: largest "
                       "distance of any joint in any style",
                       "python -m experiments page --equality [--published "
-                      "DATA/lpn_film_100style] --save docs/results", EQUALITY, rows)
+                      "DATA/lpn_film_100style] --store", EQUALITY, rows)
         print(made.markdown())
-        if save is not None:
-            made.add(save)
+        if store:
+            made.add()
         return
     data, counts = live_page.pack(net, bank), [int(n) for n in characters.split(",")]
     found = _in_node({"data": data, "counts": counts, "rounds": rounds}, f"""
@@ -82,8 +80,8 @@ def run(
                   {"million weights": found["weights"] / 1e6, "G multiply-adds/s": rate / 1e9,
                    "GB/s": speed / 1e9})
     print(made.markdown())
-    if save is not None:
-        made.save(save)
+    if store:
+        made.save()
 
 
 def _equal(net, bank, count: int) -> dict[str, dict[str, float]]:
