@@ -143,3 +143,18 @@ def test_a_crowd_looks_the_same_drawn_by_either_way(visit, pages):
     assert seen["count"] == 3
     assert seen["shown"] > 0.005
     assert seen["apart"] < 0.1 * seen["shown"]
+
+
+def test_what_is_broken_while_it_runs_is_said_and_forgotten(live):
+    page, said = live(), "() => document.querySelector('.tkc-found').textContent"
+    page.wait_for_function("() => view.stats.looks > 0")
+    assert "shake" not in page.evaluate(said)
+    page.evaluate("""() => {
+        const { kernel } = view, { character } = kernel, pose = character.pose.bind(character);
+        character.pose = (traits) => (pose(traits), character.root[1] += 0.02 * (kernel.frame % 2));
+        globalThis.mend = () => (character.pose = pose);
+    }""")
+    page.wait_for_function(f"{said}.includes('shake: ')")
+    page.evaluate("() => mend()")
+    page.wait_for_function("() => !document.querySelector('.tkc-found').textContent"
+                           ".includes('shake')", timeout=60_000)

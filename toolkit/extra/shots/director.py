@@ -13,7 +13,6 @@ from typing import Any
 import anywidget
 import traitlets
 
-from toolkit.evaluation import findings
 from toolkit.extra import shots
 from toolkit.extra.shots import (
     Scene,
@@ -25,7 +24,7 @@ from toolkit.extra.shots import (
     reaching,
     scene,
 )
-from toolkit.motion import Clip, Skeleton
+from toolkit.motion import Clip
 from toolkit.view.frontend import CellWidget, static
 from toolkit.view.pages import live_page, page
 from toolkit.view.render.skin import Figure, figure_of
@@ -127,30 +126,13 @@ def pack(model, bank, half: bool = False, character: Figure | None = None) -> di
     """The data of ``scene/shot.js``: that of a live page, natural speeds, constants of shots."""
     return live_page.pack(model, bank, half, character) | {
         "speeds": [bank.speed(name) for name in bank.names],
-        "course": constants(following),
-        "limits": constants(feasibility),
-        "apart": constants(scene) | constants(apart),
-        "pins": constants(pins) | constants(reaching),
+        "course": live_page.constants(following),
+        "limits": live_page.constants(feasibility),
+        "apart": live_page.constants(scene) | live_page.constants(apart),
+        "pins": live_page.constants(pins) | live_page.constants(reaching),
         "figure": reaching.figure(model.layout.skeleton),
         "joints": list(model.layout.skeleton.names),
-        "gate": gate(model.layout.skeleton),
     }
-
-
-def gate(skeleton: Skeleton) -> dict[str, Any]:
-    """The rules of `toolkit.evaluation.defects`, for ``scene/findings.js``."""
-    return constants(findings) | {
-        "limits": findings.LIMITS, "units": findings.UNITS, "least": findings.LEAST,
-        "others": {" ".join(pair): least for pair, least in findings.OTHERS.items()},
-        "roles": {role: skeleton.role(role) for role in findings.ROLES},
-        "chest": skeleton.trunk[0],
-    }
-
-
-def constants(module) -> dict[str, float]:
-    """The numbers of a module by name."""
-    values = vars(module).items()
-    return {name: v for name, v in values if name.isupper() and isinstance(v, int | float)}
 
 
 def first(bank, made: Iterable[Shot] | Scene | None) -> dict[str, Any]:

@@ -15,9 +15,10 @@ import torch
 from torch import Tensor
 
 from toolkit import registry, runtime
+from toolkit.evaluation import findings
 from toolkit.features import CHANNELS, FRAME_KINDS, Layout
 from toolkit.io import bvh
-from toolkit.motion import Clip
+from toolkit.motion import Clip, Skeleton
 from toolkit.networks.film import EPSILON
 from toolkit.runtime import rules
 from toolkit.runtime.life import PERIOD
@@ -155,9 +156,28 @@ def pack(model, bank, half: bool = False, character: Figure | None = None,
         "others": _others(bank, characters - 1),
         "crowd": page.skeleton_data(walk, vertices=VERTICES) if characters > 1 else None,
         "bvh": _bvh(model, state),
+        "gate": gate(layout.skeleton),
         "traits": {"names": corners, "weights": [1.0, 0.0, 0.0],
                    "speed": round(bank.speed(corners[0]), 2)},
     }
+
+
+def gate(skeleton: Skeleton) -> dict[str, Any]:
+    """The rules of `toolkit.evaluation.defects`, for ``scene/findings.js``; none without roles."""
+    if not set(findings.ROLES) <= set(skeleton.roles or ()):
+        return {}
+    return constants(findings) | {
+        "limits": findings.LIMITS, "units": findings.UNITS, "least": findings.LEAST,
+        "others": {" ".join(pair): least for pair, least in findings.OTHERS.items()},
+        "roles": {role: skeleton.role(role) for role in findings.ROLES},
+        "chest": skeleton.trunk[0],
+    }
+
+
+def constants(module) -> dict[str, float]:
+    """The numbers of a module by name."""
+    values = vars(module).items()
+    return {name: v for name, v in values if name.isupper() and isinstance(v, int | float)}
 
 
 def _others(bank, count: int) -> list[dict[str, Any]]:

@@ -114,12 +114,12 @@ export class Kernel extends Model {
     this.others = data.others.map((one) => new Walker(data, this.character.network, this.vectors, one));
     this.size = this.vectors.length / styles.length;
     const crowd = data.crowd && { skeleton: data.crowd, tints: data.others.map(({ tint }) => tint) };
-    this.traits = { styles, labels, skeleton: data.skeleton, crowd, feet: true, arms: true, recording: false, status: "", ...data.traits };
+    this.traits = { styles, labels, skeleton: data.skeleton, gate: data.gate, crowd, feet: true, arms: true, recording: false, status: "", ...data.traits };
     this.input = { id: 0, move: [0, 0], turn: 0, run: false, heading: null };
     this.facing = Math.atan2(...start.facing);
     this.style = this.target();
     this.frame = this.due = this.last = this.handle = 0;
-    this.recorded = [];
+    [this.recorded, this.passed] = [[], []];
     this.life = [this.style, ...this.others.map(({ style }) => style)].map((_, k) => new Life(data.life.amount, data.life.period, k));
   }
 
@@ -171,9 +171,10 @@ export class Kernel extends Model {
     const styles = [style, ...this.others.map((other) => other.style)].map((vector, k) => this.life[k].at(this.frame, vector));
     advance([character, ...others], [this.command(), ...this.others.map((other) => other.command())], styles);
     this.frame += 1;
-    if (!traits.recording) return;
+    if (!traits.recording && !data.gate?.roles) return;
     character.pose(traits);
-    this.recorded.push([character.root.slice(), character.rotations.slice()]);
+    this.passed.push([character.root.slice(), character.rotations.slice()]);
+    if (traits.recording) this.recorded.push(this.passed.at(-1));
   }
 
   // the newest frame, as view/controller.py sends it
@@ -187,7 +188,7 @@ export class Kernel extends Model {
     for (const { character: other } of this.others) other.pose(this.traits);
     if (this.others.length)
       this.emit("msg:custom", { kind: "others" }, [this.others.map(({ character: { root, rotations } }) => [root, rotations])]);
-    this.emit("msg:custom", { kind: "frame", frame: this.frame, input: this.input.id }, [buffer]);
+    this.emit("msg:custom", { kind: "frame", frame: this.frame, input: this.input.id, passed: this.passed.splice(0) }, [buffer]);
   }
 
   // Frames at their own rate, independent of the screen's: for each picture of the screen the frames that are due, rounded.

@@ -1,12 +1,14 @@
 // Live control: the page sends user input, the kernel sends poses, the newest one is drawn.
 //
-// Traits: skeleton (see scene.js), styles [names], labels {name: in menus}, names [3], weights [3], speed, feet, arms, recording, status, and size
+// Traits: skeleton (see scene.js), gate (see findings.js; without it nothing is looked for), styles [names], labels {name: in menus}, names [3], weights [3], speed, feet, arms, recording, status, and size
 //   [width, height] of the picture, pixels; without one it fills its element
 // Page → kernel: {kind: "input", id, move: [right, ahead], turn, run, heading: [x, z] or null}, {kind: "seen", frame}
-// Kernel → page: {kind: "frame", frame, input} and one float32 buffer:
+// Kernel → page: {kind: "frame", frame, input}, from a page's own kernel with passed, the [root, rotations] of all frames since the last, and
+//   one float32 buffer:
 //   root [3], rotations [J * 4], trajectory [12 * 4] (x, z, direction x, z), contacts [2] right, left,
 //   phases [4 * 2] (sin, cos) of a model with local phases; others are not shown
 import * as THREE from "three";
+import { brief, told, watch } from "./findings.js";
 import triangle from "../static/triangle.js";
 import { make } from "./player.js";
 import { Scene } from "./scene.js";
@@ -14,6 +16,7 @@ import { Scene } from "./scene.js";
 const KEYS = { KeyW: "ahead", KeyS: "back", KeyA: "left", KeyD: "right", KeyQ: "turnLeft", KeyE: "turnRight",
                ArrowUp: "ahead", ArrowDown: "back", ArrowLeft: "turnLeft", ArrowRight: "turnRight",
                ShiftLeft: "run", ShiftRight: "run" };
+const FPS = 60, MOMENT = 2; // milliseconds between two pictures that are spent on looking for defects
 const SAMPLES = 12, NOW = 6, SILENCE = 1500, WAITING = 3, STALE = 12, LIMBS = ["left hand", "right hand", "left foot", "right foot"];
 const CSS = `
 .tkc{display:flex;flex-wrap:wrap;gap:14px;color:#2b323b;font:13px/1.4 system-ui,-apple-system,"Segoe UI",Roboto,sans-serif}
@@ -22,6 +25,7 @@ const CSS = `
 .tkc-view:focus-within{outline:2px solid #7b68c4;outline-offset:1px}
 .tkc-stage{position:absolute;inset:0;outline:none}.tkc-stage canvas{display:block}
 .tkc-hint{position:absolute;left:14px;bottom:12px;color:#6d7580;pointer-events:none}
+.tkc-found{color:#a8442a}.tkc-found:empty{display:none}
 .tkc-alert{position:absolute;left:50%;top:14px;transform:translateX(-50%);padding:4px 12px;border-radius:9px;background:#2b323bdd;color:#fff}
 .tkc-alert:empty{display:none}
 .tkc-dials{position:absolute;left:12px;top:12px;display:flex;gap:6px;pointer-events:none;font-size:10px;text-align:center;color:#6d7580}
@@ -151,7 +155,8 @@ export function render({ model, el }) {
   }
   scene.controls.enableDamping = false;
   const ground = arrows(scene.scene), phases = dials(view);
-  make("div", "tkc-hint", view, {
+  const below = make("div", "tkc-hint", view), defective = make("div", "tkc-found", below);
+  make("div", "", below, {
     textContent: matchMedia("(pointer:coarse)").matches ? TOUCH : size ? `Click, then ${WALK}` : `${WALK}; drag to look around`,
   });
   const stick = make("div", "tkc-stick", view, { title: "Drag to walk" });
@@ -205,7 +210,8 @@ export function render({ model, el }) {
 
   // frames that are not drawn yet; times of the inputs; rates, for measurements
   const joints = model.get("skeleton").parents.length, asked = new Map(), waiting = [];
-  const stats = { received: 0, drawn: 0, delays: [], frame: 0 };
+  const stats = { received: 0, drawn: 0, delays: [], frame: 0, looks: 0, slowest: 0 };
+  const gate = model.get("gate"), eye = gate?.roles && watch(model.get("skeleton"), gate);
   let pose = null, late = 0, arrived = performance.now(), input = 0, last = "", first = true, handle = 0, counted = performance.now();
   let others = [];
   function receive(message, [bytes]) {
@@ -214,6 +220,8 @@ export function render({ model, el }) {
     waiting.push([new Float32Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength)), message.input]);
     if (waiting.length > WAITING) waiting.shift();
     arrived = performance.now();
+    const [row] = waiting[waiting.length - 1], { frame, passed = [[row.subarray(0, 3), row.subarray(3, 3 + 4 * joints)]] } = message;
+    passed.forEach((pose, k) => eye?.take(frame + 1 - passed.length + k, ...pose));
     stats.received += 1;
     stats.frame = message.frame;
     if (stats.received % 15 === 1) model.send({ kind: "seen", frame: message.frame });
@@ -268,12 +276,25 @@ export function render({ model, el }) {
     scene.camera.position.copy(offset.applyAxisAngle(scene.camera.up, 0.02 * angle)).add(target);
   }
 
+  // a quiet line of what is broken in the last seconds
+  function look() {
+    const began = performance.now(), found = eye?.look(began + MOMENT, FPS);
+    stats.slowest = Math.max(stats.slowest, performance.now() - began);
+    if (!found) return;
+    stats.looks += 1;
+    const say = brief(found);
+    if (defective.textContent === say) return;
+    defective.textContent = say;
+    defective.title = found.map((one) => told(one, gate)).join("\n");
+  }
+
   function tick(now) {
     handle = requestAnimationFrame(tick);
     if (document.hidden || !view.clientWidth) return;
     ask();
     const say = model.get("status") || (now - arrived > SILENCE ? "waiting for the kernel …" : "");
     if (alert.textContent !== say) alert.textContent = say;
+    look();
     if (!waiting.length) {
       if (pose && !scene.still && now - arrived > 300) scene.render({ still: true });
       return;

@@ -1,10 +1,11 @@
 // What is broken in a motion of the page: the functions of toolkit/evaluation/findings.py, on a level floor.
 //
-// gate: the constants of that module by name, its limits, units, others and least, roles {role: joint} and chest, of view/director.py's
+// gate: the constants of that module by name, its limits, units, others and least, roles {role: joint} and chest, of view/live_page.py's
 // pack. A finding: {kind, joint, start, end, value, limit, unit, excess, characters}.
 import { Tree } from "./body.js";
 import { round } from "./course.js";
 
+const LIVE = { WATCHED: 600, SHOWN: 240, AGAIN: 120 }; // frames that are looked at, whose defects are shown, and between two looks
 const SIDES = ["left", "right"];
 const minus = (a, b) => a.map((v, i) => v - b[i]), dot = (a, b) => a.reduce((sum, v, i) => sum + v * b[i], 0), size = (a) => Math.hypot(...a);
 const plus = (a, b, share = 1) => a.map((v, i) => v + share * b[i]), flat = ([x, , z]) => [x, z];
@@ -95,27 +96,29 @@ function* pops(at, fps, { STEP }) {
   }
 }
 
-// points of the trunk and the limbs in each frame
-function shape(at, gate) {
-  const of = (a, b) => at[a].map((p, f) => points(p, at[b][f], gate)), middle = at.left_shoulder.map((p, f) => times(plus(p, at.right_shoulder[f]), 0.5));
-  const trunk = at.hips.map((p, f) => [...points(p, at.chest[f], gate), ...points(at.chest[f], middle[f], gate)]);
+// points of the trunk and the limbs in a frame
+function shape(at, f, gate) {
+  const of = (a, b) => points(at[a][f], at[b][f], gate), middle = times(plus(at.left_shoulder[f], at.right_shoulder[f]), 0.5);
   const bones = [["elbow", "hand"], ["hip", "knee"], ["knee", "foot"]];
-  return { trunk, limbs: Object.fromEntries(SIDES.flatMap((side) => bones.map(([a, b]) => [`${side}_${b}`, of(`${side}_${a}`, `${side}_${b}`)]))) };
+  return { trunk: [...of("hips", "chest"), ...points(at.chest[f], middle, gate)],
+           limbs: Object.fromEntries(SIDES.flatMap((side) => bones.map(([a, b]) => [`${side}_${b}`, of(`${side}_${a}`, `${side}_${b}`)]))) };
 }
 const times = (v, s) => v.map((x) => s * x);
 
-function* bodies(at, { trunk, limbs }) {
+// distances within a body in a frame: [kind, joints, metres]
+function bodies(at, f, { trunk, limbs }) {
+  const found = [], across = unit(minus(at.left_hip[f], at.right_hip[f])), ahead = cross(across, [0, 1, 0]);
   for (const side of SIDES) {
     const arm = limbs[`${side}_hand`];
-    yield ["body", `${side}_hand and trunk`, arm.map((p, f) => distance(p, trunk[f]))];
-    yield ["body", `${side}_hand and thigh`, arm.map((p, f) => Math.min(distance(p, limbs.left_knee[f]), distance(p, limbs.right_knee[f])))];
+    found.push(["body", `${side}_hand and trunk`, distance(arm, trunk)]);
+    found.push(["body", `${side}_hand and thigh`, Math.min(distance(arm, limbs.left_knee), distance(arm, limbs.right_knee))]);
   }
-  yield ["body", "shins", limbs.left_foot.map((p, f) => distance(p, limbs.right_foot[f]))];
-  for (const side of SIDES) yield ["knee", `${side}_knee`, at[`${side}_knee`].map((knee, f) => {
-    const hip = at[`${side}_hip`][f], ahead = cross(unit(minus(at.left_hip[f], at.right_hip[f])), [0, 1, 0]);
-    const leg = unit(minus(at[`${side}_foot`][f], hip)), off = minus(knee, hip);
-    return -dot(plus(off, leg, -dot(off, leg)), ahead);
-  })];
+  found.push(["body", "shins", distance(limbs.left_foot, limbs.right_foot)]);
+  for (const side of SIDES) {
+    const hip = at[`${side}_hip`][f], leg = unit(minus(at[`${side}_foot`][f], hip)), off = minus(at[`${side}_knee`][f], hip);
+    found.push(["knee", `${side}_knee`, -dot(plus(off, leg, -dot(off, leg)), ahead)]);
+  }
+  return found;
 }
 const unit = (v) => times(v, 1 / Math.max(size(v), 1e-12));
 
@@ -137,9 +140,9 @@ function moments(kind, joint, values, limits, fps, gate, characters) {
 
 function between(a, b, one, other, fps, gate, apart) {
   const frames = Math.min(one.at.hips.length, other.at.hips.length), limits = (v) => Array(frames).fill(v), who = `of ${a} and ${b}`;
-  const gap = one.at.hips.slice(0, frames).map((p, f) => size(minus(flat(p), flat(other.at.hips[f])))), all = ({ limbs }, f) => Object.values(limbs).flatMap((p) => p[f]);
+  const gap = one.at.hips.slice(0, frames).map((p, f) => size(minus(flat(p), flat(other.at.hips[f])))), all = ({ shape }, f) => Object.values(shape[f].limbs).flat();
   const found = apart === undefined ? [] : moments("apart", `hips ${who}`, gap, limits(apart), fps, gate, [a, b]);
-  const part = { trunk: (body, f) => body.shape.trunk[f], limb: (body, f) => all(body.shape, f) };
+  const part = { trunk: (body, f) => body.shape[f].trunk, limb: all };
   const pairs = [["trunk", "trunk", one, other], ["limb", "trunk", one, other], ["limb", "trunk", other, one], ["limb", "limb", one, other]];
   for (const [kind, their, mine, theirs] of pairs) {
     const near = gap.map((far, f) => (far > 2 ? NaN : distance(part[kind](mine, f), part[their](theirs, f)))); // metres: nobody's arms are so long
@@ -148,20 +151,54 @@ function between(a, b, one, other, fps, gate, apart) {
   return found;
 }
 
+// Watches a motion as it comes: what is found in its last seconds, a few milliseconds of work at a time. Earlier frames show the floor.
+export function watch(skeleton, gate) {
+  let rows = [], fresh = 0, next = null, judging = null, seen = 0;
+  const { WATCHED, SHOWN, AGAIN } = LIVE;
+  return {
+    // a frame by its number; after a gap all begins again
+    take(number, root, rotations) {
+      if (number !== next) [rows, fresh, judging] = [[], 0, null];
+      next = number + 1;
+      rows.push({ root, rotations });
+      if (rows.length > WATCHED) rows.shift();
+      fresh += 1;
+    },
+    // the findings once a look has ended, their times from now on backwards; else null
+    look(until, fps) {
+      if (!judging && fresh >= AGAIN) {
+        const now = [...rows];
+        [fresh, seen, judging] = [0, now.length, defects([{ count: now.length, pose: (f) => now[f] }], skeleton, fps, gate)];
+      }
+      while (judging && performance.now() < until) {
+        const { done, value } = judging.next();
+        if (!done) continue;
+        judging = null;
+        const now = seen / fps, near = value.filter(({ end }) => (now - end) * fps < SHOWN);
+        return near.map((one) => ({ ...one, start: one.start - now, end: one.end - now }));
+      }
+      return null;
+    },
+  };
+}
+
 // Looks for defects a frame or a step after the other, so that a page can go on: for (const _ of ...). Returns the findings, in order.
 export function* defects(motions, skeleton, fps, gate, apart) {
   const tree = new Tree(skeleton), roles = { ...gate.roles, chest: gate.chest }, found = [], shown = [];
   for (const [number, motion] of motions.entries()) {
-    const at = Object.fromEntries(Object.keys(roles).map((role) => [role, []]));
+    const at = Object.fromEntries(Object.keys(roles).map((role) => [role, []])), shapes = [], inside = [];
     for (let f = 0; f < motion.count; f++, yield) {
       const { root, rotations } = motion.pose(f);
       tree.pose(root, rotations);
       for (const [role, j] of Object.entries(roles)) at[role].push([...tree.places.subarray(3 * j, 3 * j + 3)]);
+      shapes.push(shape(at, f, gate));
+      inside.push(bodies(at, f, shapes[f]));
     }
     if (!motion.count) continue;
-    const body = { at, shape: shape(at, gate) }, pace = speed(at.hips.map(flat), fps, 0.5), { chest, ...joints } = at;
+    const body = { at, shape: shapes }, pace = speed(at.hips.map(flat), fps, 0.5), { chest, ...joints } = at;
     shown.push([number, body]);
-    for (const measured of [feet(joints, fps, gate), pops(joints, fps, gate), bodies(joints, body.shape)])
+    const columns = inside[0].map(([kind, joint], k) => [kind, joint, inside.map((row) => row[k][2])]);
+    for (const measured of [feet(joints, fps, gate), pops(joints, fps, gate), columns])
       for (const [kind, joint, values] of measured) {
         const [walking, running] = gate.limits[kind][joint.replace(/^(left|right)_/, "")];
         found.push(...moments(kind, joint, values, pace.map((v) => (v > gate.RUNNING ? running : walking)), fps, gate, [number]));
@@ -180,6 +217,13 @@ const digits = (v) => (v >= 100 ? String(Math.round(v)) : String(Number(v.toPrec
 // a finding in a line; names: of the characters, if there are several
 export const told = ({ kind, joint, start, end, value, limit, unit, characters: [who, other] }, gate, names = []) =>
   `${kind}: ${names.length > 1 && other === undefined ? `${names[who]}, ` : ""}${joint.replaceAll("_", " ")}, ${start.toFixed(2)} to ${end.toFixed(2)} s, ${digits(value)} ${gate.least.includes(kind) ? "<" : ">"} ${digits(limit)} ${unit}`;
+
+// kinds and joints alone
+export function brief(found) {
+  const joints = new Map();
+  for (const { kind, joint } of found) joints.set(kind, (joints.get(kind) ?? new Set()).add(joint.replaceAll("_", " ")));
+  return [...joints].map(([kind, where]) => `${kind}: ${[...where].join(", ")}`).join("; ");
+}
 
 // all of them in a line: how many of each kind, and the worst one
 export function summary(found, gate, names) {

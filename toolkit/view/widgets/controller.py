@@ -21,7 +21,7 @@ from toolkit.motion import Clip, trajectory
 from toolkit.runtime import FPS, Command
 from toolkit.runtime.life import alive
 from toolkit.view.frontend import CellWidget, running_loop, static
-from toolkit.view.pages.live_page import EASE, RUN, TURN, example, ordered
+from toolkit.view.pages.live_page import EASE, RUN, TURN, example, gate, ordered
 from toolkit.view.pages.page import skeleton_data
 from toolkit.view.render.skin import Figure, figure_of
 from toolkit.view.widgets.corners import Corners, corners
@@ -68,7 +68,7 @@ class Controller(CellWidget, Corners):
     """
 
     _esm = static("scene.js")
-    skeleton = traitlets.Dict().tag(sync=True)
+    skeleton, gate = traitlets.Dict().tag(sync=True), traitlets.Dict().tag(sync=True)
     styles = traitlets.List(traitlets.Unicode()).tag(sync=True)
     labels = traitlets.Dict().tag(sync=True)
     size = traitlets.List(traitlets.Int(), [640, 480]).tag(sync=True)
@@ -97,7 +97,8 @@ class Controller(CellWidget, Corners):
         self.frames = self._seen = 0
         skeleton = skeleton_data(example(model, bank), figure_of(character))
         super().__init__(names=names, weights=[1.0, 0.0, 0.0], styles=list(bank.names),
-                         labels=bank.labels(), speed=speed, size=list(size), skeleton=skeleton)
+                         labels=bank.labels(), speed=speed, size=list(size), skeleton=skeleton,
+                         gate=gate(model.layout.skeleton))
         self.on_msg(self._receive)
         self._loop = running_loop()
         if self._loop is not None:
