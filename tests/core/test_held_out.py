@@ -53,7 +53,7 @@ def test_followed_recordings_stay_near_them_and_floors_are_farther(clips, monkey
         assert row["model"][0] < min(most, row["other"][0])
         assert row["model"][0] < row["still"]
         assert row["real"] == pytest.approx(0, abs=1e-5)
-    assert found["skate-kimodo"]["still"] == pytest.approx(0, abs=1e-6)
+    assert found["skate-rsmt"]["still"] == pytest.approx(0, abs=1e-6)
     drawn = results.recorded("x", "about", "command", rows, {}).markdown()
     assert "| global-position |" in drawn
     assert "nan" not in drawn

@@ -335,7 +335,7 @@ if __name__ == "__main__":
 
 def test_what_a_kill_leaves_is_resumed_as_if_not_killed(tmp_path):
     """The checkpoint as it lay in a step: a file is replaced whole (`atomic_write`)."""
-    config = quick(steps=30, save_every=0.0)
+    config = quick(steps=30, save_every=0.0, patience=3)
     path, left = tmp_path / "checkpoint", tmp_path / "left"
     with after_steps(lambda step, _: step == 17 and shutil.copy(path, left)):
         whole = training.fit(waves(), config, path)
@@ -408,6 +408,27 @@ def test_only_several_processes_need_lightning_fabric(monkeypatch):
         training.fit(waves(), quick(device="cuda:99"))
 
 
+def test_it_stops_early_with_the_best_weights_also_after_a_resume(tmp_path):
+    config = quick(steps=400, sizes=WIDER, rate=3e-2, final_rate=1.0, evaluate_every=5, patience=3)
+    whole = training.fit(waves(), config)
+    errors = [row["held_out"] for row in whole.history]
+    assert len(errors) < 80
+    assert min(errors) == errors[-4] < min(errors[-3:])
+    best = dataclasses.replace(config, patience=None, steps=whole.history[-4]["step"])
+    assert same_weights(whole.model, training.fit(waves(), best).model)
+    path = tmp_path / "checkpoint"
+    with pytest.raises(KeyboardInterrupt), interrupt_at(whole.history[-1]["step"] - 7):
+        training.fit(waves(), config, path)
+    for _ in range(2):  # the second time it is finished already
+        resumed = training.fit(waves(), config, path)
+        assert same_weights(whole.model, resumed.model)
+        assert [row["held_out"] for row in resumed.history] == errors
+    with pytest.raises(ValueError, match="to resume differs in patience: expected 4, got 3"):
+        training.fit(waves(), dataclasses.replace(config, patience=4), path)
+    with pytest.raises(ValueError, match=r"held_out=0\.0001 leaves none of these data"):
+        training.fit(waves(), quick(patience=3, held_out=1e-4))
+
+
 def test_the_rate_decays_on_a_cosine(monkeypatch):
     rates, step = [], loop.step
     monkeypatch.setattr(loop, "step", lambda *all_: rates.append(all_[-1]) or step(*all_))
@@ -433,13 +454,13 @@ def test_what_cannot_be_resumed_is_named(tmp_path):
 
 @pytest.fixture(scope="module")
 def parts(tmp_path_factory):
-    """Tensors and numbers of a checkpoint of a run."""
+    """Tensors and numbers of a checkpoint of a run with patience."""
     path = tmp_path_factory.mktemp("whole") / "checkpoint"
-    training.fit(waves(), quick(steps=6, evaluate_every=3), path)
+    training.fit(waves(), quick(steps=6, patience=9, evaluate_every=3), path)
     return model_files.read(path, "checkpoint")
 
 
-FIRST, WEIGHT = "adam.model.0.exp_avg", "model.experts.layers.0.weight"
+FIRST, BEST = "adam.model.0.exp_avg", "best.experts.layers.0.weight"
 
 
 @pytest.mark.parametrize(("name", "value", "why"), [  # of a tensor, or of the run's numbers
@@ -447,18 +468,19 @@ FIRST, WEIGHT = "adam.model.0.exp_avg", "model.experts.layers.0.weight"
     (FIRST, lambda t: t * math.nan, f"{FIRST} has numbers that are not finite"),
     ("adam.model.99.exp_avg", lambda t: torch.zeros(2), "differs in tensor 99.exp_avg"),
     ("adam.model.3.step", lambda t: t * 0, "parameter 3 has a step below 1 or a negative"),
-    (WEIGHT, lambda t: t[:, 1:], "layers.0.weight"),
+    (BEST, lambda t: t[:, 1:], "differs in tensor experts.layers.0.weight"),
     ("step", lambda _: 10**18, "its step is 1000000000000000000 after"),
     ("processor", lambda _: "x", "its processor is 'x'"),
     ("losses", lambda _: {"loss": None}, "its losses is {'loss': None}"),
     ("step", lambda _: 7, "the moments of Adam are those of step 6"),
     ("step", lambda _: None, "'step' is missing"),
     ("elapsed", lambda _: -1.0, "its step is 6 after -1.0 s"),
+    ("history", lambda _: [{"step": 1}], "'held_out' is missing"),
 ])
 def test_a_checkpoint_that_does_not_fit_the_run_is_refused(tmp_path, parts, name, value, why):
     """The fused Adam reads and writes outside of moments that are too small."""
     tensors, numbers = dict(parts[0]), dict(parts[1]["checkpoint"])
-    path, config = tmp_path / "checkpoint", quick(steps=6, evaluate_every=3)
+    path, config = tmp_path / "checkpoint", quick(steps=6, patience=9, evaluate_every=3)
     part = numbers if name in numbers else tensors
     if (changed := value(part.pop(name, None))) is not None:
         part[name] = changed
@@ -491,6 +513,7 @@ def test_a_saved_run_is_whole(tmp_path, straight):
     ({"epochs": 1, "steps": 1}, "one of epochs, steps and seconds, got epochs and steps"),
     ({"held_out": 1.0}, r"held_out must be in \[0, 1\)"),
     ({"model": "lpn"}, "no model named 'lpn' is registered; there is pfnn-onehot"),
+    ({"patience": 1, "held_out": 0.0}, "needs held-out frames; got 1 and held_out 0.0"),
     ({"device": "abacus"}, "device must be cpu, cuda, .* got 'abacus'"),
     ({"processes": 33}, "processes must be from 1 to the 32 frames of a minibatch, got 33"),
 ])

@@ -10,7 +10,7 @@ import torch
 from motion_files import Document, axis_angles, fbx, fbx_scene, packed, smpl_walk
 
 import toolkit as tk
-from toolkit.extra.formats import fbx as fbx_reader, gltf, npz, positions
+from toolkit.extra.formats import fbx as fbx_reader, gltf, humanml3d, npz
 from toolkit.extra.formats.gltf_file import unit_quaternions
 from toolkit.motion import forward_kinematics
 
@@ -486,17 +486,20 @@ def test_our_motion_through_joint_positions_and_back(smpl, tmp_path):
 def test_fit_does_not_depend_on_the_rest_pose(smpl):
     torch.manual_seed(0)
     rest = npz.rest_pose(22) + 0.05 * torch.randn(22, 3)
-    offsets, rotations, error = positions.fit(npz.PARENTS[:22], rest, smpl.global_positions)
+    offsets, rotations, error = humanml3d.fit(npz.PARENTS[:22], rest, smpl.global_positions)
     assert error < 1e-5
     assert (rotations.norm(dim=-1) - 1).abs().max() < 1e-6
     assert (offsets.norm(dim=-1)[1:] - smpl.skeleton.offsets.norm(dim=-1)[1:]).abs().max() < 1e-5
 
 
-def test_joints_of_humanml3d_are_met(shared):
-    path = shared / "humanml3d" / "h3d_new_joints_012314.npy"
-    made = npz.read(path)
+def test_humanml3d_numbers_give_the_joints_of_the_stored_pair(shared):
+    joints = torch.from_numpy(np.load(shared / "humanml3d" / "h3d_new_joints_012314.npy"))
+    vectors = torch.from_numpy(np.load(shared / "humanml3d" / "h3d_new_joint_vecs_012314.npy"))
+    assert (humanml3d.to_joints(vectors) - joints).abs().max() < 1e-5
+    made = npz.read(shared / "humanml3d" / "h3d_new_joint_vecs_012314.npy")
     assert made.fps == 20
-    assert (world(made) - torch.from_numpy(np.load(path))).abs().max() < 1e-4
+    assert not made.doubts
+    assert (world(made) - joints).abs().max() < 1e-4
 
 
 def test_numpy_files_that_cannot_be_read(tmp_path):

@@ -43,6 +43,9 @@ def train(
     minutes: Annotated[float | None, typer.Option(help="Time budget of the training.")] = None,
     epochs: Annotated[float | None, typer.Option(
         help="Passes over the shortest style; 90 in the paper.")] = None,
+    patience: Annotated[int | None, typer.Option(
+        help="Stop after so many test errors (one every 1000 steps) without a better one, and keep "
+             "the best weights.")] = None,
     small: Annotated[bool, typer.Option(
         "--small", help="Small sizes and fast settings; 30 s without a budget.")] = False,
     refit: Annotated[int, typer.Option(
@@ -64,8 +67,8 @@ def train(
     if minutes is not None:
         budget["seconds"] = 60 * minutes
     config = (training.Config.quick if small else training.Config)(
-        **budget, model=networks.imported(model), refit=refit, seed=seed, device=device,
-        processes=processes, precision=precision)
+        **budget, model=networks.imported(model), patience=patience, refit=refit, seed=seed,
+        device=device, processes=processes, precision=precision)
     saving.check(out, ())
     # before the data, so that all processes read them at once; only one of them talks and writes
     first = distributed.start(config.device, config.processes).global_rank == 0

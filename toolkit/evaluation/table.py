@@ -19,7 +19,10 @@ from toolkit.motion.tensors import as_tensor, through_numpy
 #: Measures of a clip; of a clip and the real clip with the same frames; of a recogniser and clips;
 #: of these and real clips.
 CLIP: dict[str, Callable[[Clip], float]] = {
+    "skate-smoodi": steps.skate_smoodi,
     "skate-kimodo": steps.skate_kimodo,
+    "skate-camdm": steps.skate_camdm,
+    "skate-rsmt": steps.skate_rsmt,
     "skate": quality.skate,
     "floor": quality.floor,
     "through": quality.through,
@@ -57,7 +60,7 @@ class _Measures(dict[str, Callable[..., float]]):
 MEASURES = _Measures(CLIP | PAIR | SET)
 POSITIONS = "global-position", "trajectory-error", "stop"  # those that need no rotations
 UNITS = {"jerk": "m/s3", "seconds": "s"}
-UNITS |= dict.fromkeys(("skate", "speed", "stop"), "m/s")
+UNITS |= dict.fromkeys(("skate-rsmt", "skate", "speed", "stop"), "m/s")
 UNITS |= dict.fromkeys(("global-position", "floor", "through", "stretch", "shake", "motion",
                         "slow-motion"), "m")
 UNITS |= dict.fromkeys(("geodesic", "trajectory-error"), "rad")

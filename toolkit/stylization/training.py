@@ -189,7 +189,7 @@ def fit(motions: Motions, config: Config | None = None,
     file = Checkpoint("stylization_checkpoint", both, adams, config.fixed(), kinds)
     state = {"step": 0, "elapsed": 0.0, "history": [], "sums": {}}
     if checkpoint and resume and Path(checkpoint).exists():
-        state = file.load(checkpoint)
+        state = file.load(checkpoint)[0]
     began = clock() - state["elapsed"]
     saver = Saver(lambda: file.save(checkpoint, state) if checkpoint else None, config.save_every)
     bar = progress_bar(total=config.iterations, initial=state["step"], desc="training",

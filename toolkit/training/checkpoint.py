@@ -28,9 +28,13 @@ class Checkpoint:
     kinds: dict[str, Any]  # an example of the numbers, among them step and elapsed
     __repr__ = summary
 
-    def save(self, path: str | os.PathLike, numbers: dict[str, Any], **parts: Any) -> None:
-        """Write networks, optimisers and ``numbers``; ``parts`` say what else can read the file."""
-        tensors = {}
+    def save(self, path: str | os.PathLike, numbers: dict[str, Any],
+             more: dict[str, Tensor] | None = None, **parts: Any) -> None:
+        """Write networks, optimisers, ``numbers`` and ``more`` tensors.
+
+        ``parts`` describe what else can read the file.
+        """
+        tensors = dict(more or {})
         for name, network in self.networks.items():
             tensors |= {f"{name}.{key}": value for key, value in network.state_dict().items()}
         for name, adam in self.adams.items():
@@ -39,8 +43,8 @@ class Checkpoint:
         parts[self.part] = {**numbers, "config": self.config}
         model_files.write(path, tensors, parts)
 
-    def load(self, path: str | os.PathLike) -> dict[str, Any]:
-        """Load a file into the newly built networks and optimisers; its numbers.
+    def load(self, path: str | os.PathLike) -> tuple[dict[str, Any], dict[str, Tensor]]:
+        """Load a file into the newly built networks and optimisers; its numbers and tensors.
 
         ValueError if the file is not a checkpoint of this kind, belongs to another config or other
         data, or holds what does not fit the networks.
@@ -57,10 +61,10 @@ class Checkpoint:
                              "deviations differ)")
         with model_files.intact(path, "the checkpoint"):
             # everything is checked before anything is changed
-            own = {name: _starting(tensors, f"{name}.") for name in self.networks}
+            own = {name: starting(tensors, f"{name}.") for name in self.networks}
             for name, network in self.networks.items():
-                _check(own[name], network.state_dict())
-            moments = {name: _moments(_starting(tensors, f"adam.{name}."), adam)
+                check(own[name], network.state_dict())
+            moments = {name: _moments(starting(tensors, f"adam.{name}."), adam)
                        for name, adam in self.adams.items()}
             model_files.alike(numbers, self.kinds)
             made = max((int(kinds["step"]) for of in moments.values() for kinds in of.values()),
@@ -73,7 +77,7 @@ class Checkpoint:
             for name, adam in self.adams.items():
                 groups = adam.state_dict()["param_groups"]
                 adam.load_state_dict({"state": moments[name], "param_groups": groups})
-        return numbers
+        return numbers, tensors
 
     def _same_data(self, tensors: dict[str, Tensor], name: str) -> bool:
         """Whether a network's buffers, the statistics of its data, are those of a file."""
@@ -84,7 +88,7 @@ class Checkpoint:
         return True
 
 
-def _check(tensors: dict[str, Tensor], expected: dict[str, Tensor]) -> None:
+def check(tensors: dict[str, Tensor], expected: dict[str, Tensor]) -> None:
     """ValueError if names, shapes or dtypes differ from the expected."""
     kinds = [{name: [*value.shape, value.dtype] for name, value in part.items()}
              for part in (expected, tensors)]
@@ -105,15 +109,15 @@ def _moments(tensors: dict[str, Tensor], adam: torch.optim.Adam) -> dict[int, di
     for i, parameter in enumerate(parameters):
         expected |= {f"{i}.step": torch.zeros(()), f"{i}.exp_avg": parameter,
                      f"{i}.exp_avg_sq": parameter}
-    _check(tensors, expected)
-    moments = {i: _starting(tensors, f"{i}.") for i in range(len(parameters))}
+    check(tensors, expected)
+    moments = {i: starting(tensors, f"{i}.") for i in range(len(parameters))}
     for i, kinds in moments.items():
         if kinds["step"] < 1 or bool((kinds["exp_avg_sq"] < 0).any()):
             raise ValueError(f"Adam's parameter {i} has a step below 1 or a negative square")
     return moments
 
 
-def _starting(tensors: dict[str, Tensor], start: str) -> dict[str, Tensor]:
+def starting(tensors: dict[str, Tensor], start: str) -> dict[str, Tensor]:
     """The tensors whose names begin with ``start``, by the rest of their names."""
     return {name.removeprefix(start): value for name, value in tensors.items()
             if name.startswith(start)}

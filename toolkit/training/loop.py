@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import torch
+from torch import Tensor
 
 from toolkit import networks
 from toolkit.features import Features, check_style, splits
@@ -25,7 +26,7 @@ from toolkit.networks import Predictor
 from toolkit.networks.adapters import StyleTable
 from toolkit.networks.bank import StyleBank
 from toolkit.training import distributed
-from toolkit.training.checkpoint import Checkpoint, Saver
+from toolkit.training.checkpoint import Checkpoint, Saver, check, starting
 from toolkit.training.distributed import Alone, Objective
 from toolkit.training.loss import baselines, evaluate, make_bank, observed, refit
 from toolkit.training.minibatches import DROPOUT, INIT, Minibatches
@@ -39,7 +40,8 @@ if TYPE_CHECKING:
 class State:
     """State of a run after ``step`` steps, ``elapsed`` and ``processor`` seconds of this process.
 
-    ``losses`` are those of the last step; ``history`` has a row per evaluation.
+    ``losses`` are those of the last step; ``history`` has a row per evaluation. ``best`` are the
+    weights with the least held-out error so far; they are kept only if the run may stop early.
     """
 
     step: int = 0
@@ -47,7 +49,19 @@ class State:
     processor: float = 0.0
     losses: dict[str, float] = field(default_factory=dict)
     history: list[dict] = field(default_factory=list)
+    best: dict[str, Tensor] = field(default_factory=dict)
     __repr__ = summary
+
+    @property
+    def numbers(self) -> dict:
+        """All but the tensors."""
+        return {name: value for name, value in vars(self).items() if name != "best"}
+
+    @property
+    def stalled(self) -> int:
+        """Evaluations since the best one; 0 if nothing was held out (errors are then None)."""
+        errors = [row["held_out"] for row in self.history if row["held_out"] is not None]
+        return len(errors) - 1 - errors.index(min(errors)) if errors else 0
 
 
 def fit(data: Features, config: Config | None = None,
@@ -82,6 +96,9 @@ def fit(data: Features, config: Config | None = None,
         check_style(style, data.styles)
     styles = config.styles or tuple(data.styles)
     train, test = splits.split(data, config.held_out, config.seed, styles)
+    if config.patience and not any(map(len, test.inputs.values())):
+        raise ValueError(f"patience needs held-out frames; held_out={config.held_out} leaves none "
+                         "of these data")
 
     # model and optimiser, new or from the checkpoint
     with seeded(fabric.device, config.seed, INIT):
@@ -104,12 +121,16 @@ def fit(data: Features, config: Config | None = None,
 
     def save() -> None:
         if checkpoint and first:
-            _checkpoint(model, adam, config).save(checkpoint, vars(state), model=model.parts()[1])
+            best = {f"best.{name}": value for name, value in state.best.items()}
+            _checkpoint(model, adam, config).save(checkpoint, state.numbers, best,
+                                                  model=model.parts()[1])
 
     def assess() -> None:
         error = _held_out(model, train, test)
         row = {"step": state.step, "elapsed": state.elapsed, "processor": state.processor}
         state.history.append({**row, **state.losses, "held_out": error})
+        if config.patience and state.stalled == 0:
+            state.best = {name: value.clone() for name, value in model.state_dict().items()}
 
     bar = _bar(config, total, state, progress and first)
     smooth, before = math.nan, time.process_time() - state.processor
@@ -117,6 +138,8 @@ def fit(data: Features, config: Config | None = None,
     with saver, bar:
         model.train()
         while (done := state.step / total if total else state.elapsed / config.seconds) < 1:
+            if config.patience and state.stalled >= config.patience:
+                break
             # cosine decay of the rate; dropout masks that depend only on seed, step and process
             share = (1 + math.cos(math.pi * done)) / 2
             rate = config.rate * (config.final_rate + (1 - config.final_rate) * share)
@@ -137,7 +160,9 @@ def fit(data: Features, config: Config | None = None,
         if not state.history or state.history[-1]["step"] != state.step:
             assess()
 
-    # the result: a vector for each style, errors on held-out frames
+    # the result: the best weights, a vector for each style, errors on held-out frames
+    if state.best:
+        model.load_state_dict(state.best)
     model.eval()
     bank = make_bank(model, train)
     if config.refit and not isinstance(model.generator, StyleTable):
@@ -175,9 +200,13 @@ def restore(path: str | os.PathLike, model: Predictor, adam: torch.optim.Adam,
     """
     # the model's own check names the difference of layouts
     Predictor.from_parts(path, *model_files.read(path, "checkpoint"), model.layout)
-    numbers = _checkpoint(model, adam, config).load(path)
+    numbers, tensors = _checkpoint(model, adam, config).load(path)
     with model_files.intact(path, "the checkpoint"):
-        return State(**numbers)
+        state = State(**numbers, best=starting(tensors, "best."))
+        if state.best:
+            check(state.best, model.state_dict())
+        state.stalled  # noqa: B018 (all rows have their errors)
+    return state
 
 
 def _checkpoint(model: Predictor, adam: torch.optim.Adam, config: Config) -> Checkpoint:

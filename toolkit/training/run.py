@@ -50,6 +50,8 @@ class Config:
         Minibatches.
     seconds
         Wall time; unlike with epochs and steps, the result depends on the machine.
+    patience
+        Stop after so many evaluations without a better held-out error, and keep the best weights.
     batch
         Frames of one style per minibatch.
     clips_per_batch
@@ -90,6 +92,7 @@ class Config:
     epochs: float | None = None
     steps: int | None = None
     seconds: float | None = None
+    patience: int | None = None
     batch: int = 32
     clips_per_batch: int = 32
     rate: float = 1e-4
@@ -134,6 +137,9 @@ class Config:
         ):
             if not right:
                 raise ValueError(f"{name} must {wanted}, got {getattr(self, name)!r}")
+        if self.patience is not None and (self.patience < 1 or not self.held_out):
+            raise ValueError("patience must be a whole number from 1, and needs held-out frames; "
+                             f"got {self.patience} and held_out {self.held_out}")
         try:
             torch.device(self.device)
         except RuntimeError:
@@ -159,13 +165,14 @@ class Config:
         """A config as JSON holds it."""
         sizes, styles = Sizes(**stored["sizes"]), tuple(stored["styles"])
         settings = {"refit": 0, **stored, "sizes": sizes, "styles": styles}
-        for gone in ("bone_weight", "patience"):  # of files from before 0.3
-            settings.pop(gone, None)
+        settings.pop("bone_weight", None)  # of files from before 0.3
         return cls(**settings)
 
     def fixed(self) -> dict:
         """The settings that must not change when a run is resumed, as JSON values."""
-        free = {"save_every", "device", "processes", "refit", "evaluate_every"}
+        free = {"save_every", "device", "processes", "refit"}
+        if self.patience is None:
+            free.add("evaluate_every")
         settings = dataclasses.asdict(self).items()
         return json.loads(json.dumps({k: v for k, v in settings if k not in free}))
 

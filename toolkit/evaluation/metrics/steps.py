@@ -1,10 +1,17 @@
-"""What feet do: contacts, steps and skate, by our own measures and by Kimodo's."""
+"""What feet do: contacts, steps and skate, by our own measures and by those of four papers.
+
+The papers' measures use heights above the standing height of the clip's toes
+(`toolkit.motion.contacts.standing_height`), so that they do not depend on where a rig has its toe
+joint or a file its floor. The sources use the height above y = 0 or above the lowest toe.
+"""
 
 import math
 from itertools import pairwise
 
+import torch
 from torch import Tensor
 
+from toolkit.evaluation.metrics.bodies import hips_path
 from toolkit.motion import Clip, contacts
 from toolkit.motion.skeleton import FEET
 from toolkit.motion.tensors import as_tensor
@@ -86,24 +93,69 @@ def step_rate(contact: Tensor, fps: float) -> float:
     return int((on[1:] & ~on[:-1]).sum()) * fps / len(contact)
 
 
+def skate_smoodi(clip: Clip) -> float:
+    """Foot-skate ratio of SMooDi (Zhong et al. 2024): share of frames in [0, 1], lower is better.
+
+    At 20 Hz, a toe skates between two frames if it is lower than 5 cm in both, and both its
+    horizontal speed and the mean of that speed over five frames (0 beyond the ends) are more than
+    0.5 m/s. A frame counts if either foot skates.
+
+    Source: github.com/neu-vi/SMooDi, ``mld/models/metrics/tm2t.py``; after Karunratanakul et al.
+    2023 (GMD).
+    """
+    toes, height = _toes(clip, 20.0)
+    speed = toes.diff(dim=0)[..., [0, 2]].norm(dim=-1) * 20.0
+    mean = torch.nn.functional.avg_pool1d(speed.T[:, None], 5, stride=1, padding=2)[:, 0].T
+    return float((_low(height) & (speed > 0.5) & (mean > 0.5)).any(1).float().mean())
+
+
 def skate_kimodo(clip: Clip) -> float:
     """Foot-skate ratio of Kimodo (NVIDIA 2026): share in [0, 1] of the time on the floor.
 
     A toe is on the floor between two frames if it is lower than 5 cm in both. It skates if its
     speed, also upwards, is more than 0.2 m/s. The ratio is over both toes, 0 if no toe is ever on
-    the floor; lower is better. Heights are above the standing height of the clip's toes
-    (`toolkit.motion.contacts.standing_height`), so that they do not depend on where a rig has its
-    toe joint or a file its floor; the source has those above y = 0.
+    the floor; lower is better.
 
     Source: github.com/nv-tlabs/kimodo, ``kimodo/metrics/foot_skate.py``, ``FootSkateRatio``.
     """
-    if len(clip) < 2:
-        raise ValueError(f"{clip.name}: foot skate needs two frames, the clip has {len(clip)}")
-    toes = contacts.toes_of(clip)
-    height = toes[..., 1] - contacts.standing_height(clip)
-    low = (height[:-1] < 0.05) & (height[1:] < 0.05)
+    toes, height = _toes(clip)
+    low = _low(height)
     skates = low & (toes.diff(dim=0).norm(dim=-1) * clip.fps > 0.2)
     return int(skates.sum()) / max(1, int(low.sum()))
+
+
+def skate_camdm(clip: Clip) -> float:
+    """Foot sliding of CAMDM (Chen et al. 2024): a ratio of distances, no unit, lower is better.
+
+    Mean horizontal displacement to the next frame of toes lower than 1 cm, over the mean horizontal
+    displacement of the root. The last frame has displacement 0. The ratio is 0 if no toe is low; a
+    root that does not move at all counts as 1 cm a frame. Departure: the root is the joint with the
+    role ``hips``, because the first joint of some rigs stays at the origin.
+
+    Source: github.com/AIGAnimation/CAMDM, ``Evaluation/utils/motion_modules.py``,
+    ``cal_metric_foot_sliding``.
+    """
+    toes, height = _toes(clip)
+    step = toes.diff(dim=0, append=toes[-1:])[..., [0, 2]].norm(dim=-1)
+    way, low = float(hips_path(clip).diff(dim=0).norm(dim=-1).mean()), height < 0.01
+    return float(step[low].mean()) / (way or 0.01) if low.any() else 0.0
+
+
+def skate_rsmt(clip: Clip) -> float:
+    """Foot skate of RSMT (Tang et al. 2023), after Zhang et al. 2018 (MANN): m/s, lower is better.
+
+    The speed of a toe, also upwards, times a weight ``clamp(2 − 2^(h / 2.5), 0, 1)`` of its height
+    h in cm at the end of the step, mean over the toes and frames whose weight is not 0; 0 if there
+    is none. Departures: the source's unit is cm per frame at 30 Hz (ours times 100 / 30); it also
+    sums over the ankles, which are seldom lower than 2.5 cm, and takes the absolute height.
+
+    Source: github.com/yuyujunjun/RSMT-Realtime-Stylized-Motion-Transition, ``benchmark.py``,
+    ``skating_loss``.
+    """
+    toes, height = _toes(clip)
+    weight = (2 - 2 ** (100 * height[1:] / 2.5)).clamp(0, 1)
+    speed = toes.diff(dim=0).norm(dim=-1) * clip.fps
+    return float((speed * weight).sum()) / max(1, int((weight > 0).sum()))
 
 
 def _checked(clip: Clip, contact: Tensor) -> Tensor:
@@ -112,3 +164,20 @@ def _checked(clip: Clip, contact: Tensor) -> Tensor:
         raise ValueError(f"contacts of {len(clip)} frames have the shape [{len(clip)}, 2], "
                          f"got {list(contact.shape)}")
     return contact
+
+
+def _toes(clip: Clip, fps: float | None = None) -> tuple[Tensor, Tensor]:
+    """Positions ``[F, 2, 3]`` of the toes at a rate, and their heights ``[F, 2]``."""
+    if len(clip) < 2:
+        raise ValueError(f"{clip.name}: foot skate needs two frames, the clip has {len(clip)}")
+    sampled = clip if fps is None else clip.resample(fps)
+    if len(sampled) < 2:
+        raise ValueError(f"{clip.name}: foot skate needs two frames at {fps:g} Hz, "
+                         f"the clip lasts {clip.seconds:.2f} s")
+    toes = contacts.toes_of(sampled)
+    return toes, toes[..., 1] - contacts.standing_height(clip)
+
+
+def _low(height: Tensor) -> Tensor:
+    """Whether a toe is lower than 5 cm in a frame and in the next one, ``[F - 1, 2]``."""
+    return (height[:-1] < 0.05) & (height[1:] < 0.05)

@@ -1,4 +1,4 @@
-"""NumPy files (.npz, .npy) with motion: SMPL and AMASS poses, joint positions."""
+"""NumPy files (.npz, .npy) with motion: SMPL and AMASS poses, HumanML3D, joint positions."""
 
 import io
 import math
@@ -9,15 +9,15 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit.extra.formats import positions
+from toolkit.extra.formats import humanml3d
 from toolkit.io import files
 from toolkit.io.recording import Recording
 from toolkit.motion import Skeleton, forward_kinematics, rotations as R
 from toolkit.motion.roles import SIDES
 
-BODY = positions.NAMES
+BODY = humanml3d.NAMES
 SMPL = (*BODY, "left_hand", "right_hand")
-PARENTS = (*positions.PARENTS, 20, 21)
+PARENTS = (*humanml3d.PARENTS, 20, 21)
 PARTS = {"shoulder": "shoulder", "elbow": "elbow", "hand": "wrist", "hip": "hip", "knee": "knee",
          "foot": "ankle", "toe": "foot"}
 ROLES = {"hips": "pelvis"} | {
@@ -37,9 +37,10 @@ ORIGIN = (0.0, -0.23, 0.0)  # metres from the origin of SMPL's template to its p
 # Names of arrays, the first that is there counts
 RATES = ("mocap_framerate", "mocap_frame_rate", "fps", "frame_rate", "framerate")
 JOINTS = ("posed_joints", "joints", "positions", "new_joints", "joints3d", "motion", "arr_0")
+VECTORS = ("new_joint_vecs", "vectors", "motion", "arr_0")
 PLACES = ("trans", "transl", "translation")
 WANTED = {"poses", "root_orient", "pose_body", "global_orient", "body_pose", "Jtr",
-          *RATES, *JOINTS, *PLACES}
+          *RATES, *JOINTS, *VECTORS, *PLACES}
 WIDTHS = (66, 72, 156, 165)  # of poses: SMPL-H's body, SMPL, SMPL-H and SMPL-X with hands
 COUNTS = {22: 22, 24: 24, 52: 22, 55: 22}  # joints of HumanML3D, SMPL, -H, -X: how many are read
 
@@ -61,8 +62,8 @@ def read(path: str | os.PathLike) -> Recording:
       rotations of SMPL's 22 or 24 body joints; fingers and face are left out. Bone lengths come
       from the file if it has ``joints [F, 22 or more, 3]``. SMPL's own are part of a licensed model
       that we do not have: then they are those of an average person, and a doubt says so.
-    - ``[F, 22, 24, 52 or 55, 3]``, joint positions in SMPL's order (HumanML3D has the first 22). A
-      rigid skeleton is fitted.
+    - ``[F, 22, 24, 52 or 55, 3]``, joint positions in SMPL's order (HumanML3D has the first 22), or
+      ``[F, 263]``, its numbers (`toolkit.extra.formats.humanml3d`). A rigid skeleton is fitted.
 
     Raises
     ------
@@ -85,11 +86,15 @@ def read(path: str | os.PathLike) -> Recording:
         poses = _poses(arrays)
         if poses is not None:
             return _smpl(arrays, poses)
+        for name in VECTORS:
+            if name in arrays and arrays[name].shape[1:] == (humanml3d.WIDTH,):
+                joints = humanml3d.to_joints(_tensor(arrays, name))
+                return _fitted(joints, "HumanML3D", humanml3d.FPS, [], unit=1.0, up="y")
         for name in JOINTS:
             shape = arrays[name].shape if name in arrays else ()
             if len(shape) == 3 and shape[1] in COUNTS and shape[2] == 3:
                 doubts: list[str] = []
-                rate = _rate(arrays, positions.FPS, "as in HumanML3D", doubts)
+                rate = _rate(arrays, humanml3d.FPS, "as in HumanML3D", doubts)
                 joints = _tensor(arrays, name)[:, : COUNTS[shape[1]]]
                 return _fitted(joints, "joint positions", rate, doubts)
         held = ", ".join(f"{name} {list(array.shape)}" for name, array in arrays.items())
@@ -177,7 +182,7 @@ def _fitted(joints: Tensor, format_: str, fps: float, doubts: list[str], unit: f
     if frames * count > FITTED:
         raise ValueError(f"{frames} frames of {count} joints are more than {FITTED} positions; "
                          "cut the file")
-    offsets, rotations, error = positions.fit(PARENTS[:count], rest_pose(count), joints)
+    offsets, rotations, error = humanml3d.fit(PARENTS[:count], rest_pose(count), joints)
     height = float((joints.amax(1) - joints.amin(1)).max())
     if error > RIGID * height:
         doubts.append("its bones change their lengths: joints of the rigid skeleton miss the "

@@ -1,4 +1,16 @@
-"""A rigid skeleton fitted to joint positions, and SMPL's joints."""
+"""Joint positions: from HumanML3D's 263 numbers a frame, and a rigid skeleton fitted to positions.
+
+The definitions are those of the dataset's public processing code (Guo et al. 2022,
+github.com/EricGuo5513/HumanML3D). Those that matter:
+
+- 20 frames per second, metres, y up, the character's left is +x.
+- The root's rotation turns the facing direction *to* +z, i.e. from the world into the body's frame.
+  Its velocity is the arcsine of the quaternion's y, which is half the angle.
+- The root's velocity (x, z) is seen from the later frame's body.
+
+Root velocities and local positions give the joints. The rotations, joint velocities and contacts
+that follow them in a row are redundant.
+"""
 
 from collections.abc import Sequence
 
@@ -6,13 +18,38 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import rotations as R
+from toolkit.motion.tensors import as_tensor
 
 NAMES = ("pelvis", "left_hip", "right_hip", "spine1", "left_knee", "right_knee", "spine2",
          "left_ankle", "right_ankle", "spine3", "left_foot", "right_foot", "neck", "left_collar",
          "right_collar", "head", "left_shoulder", "right_shoulder", "left_elbow", "right_elbow",
          "left_wrist", "right_wrist")  # SMPL's
 PARENTS = (-1, 0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 9, 9, 12, 13, 14, 16, 17, 18, 19)
-FPS = 20.0  # of HumanML3D's positions (Guo et al. 2022)
+FPS = 20.0
+BLOCKS = (1, 2, 1, 63, 126, 66, 4)  # turn, velocity, height, positions, then the redundant ones
+WIDTH = sum(BLOCKS)
+
+
+def to_joints(vectors: Tensor) -> Tensor:
+    """Joint positions ``[F, 22, 3]`` of rows ``[F, 263]``.
+
+    The first frame stands at the origin of the floor and faces +z.
+    """
+    vectors = as_tensor(vectors, "vectors")
+    if vectors.dim() != 2 or vectors.shape[1] != WIDTH or not len(vectors):
+        raise ValueError(f"expected HumanML3D's numbers [F, {WIDTH}], F >= 1, "
+                         f"got {list(vectors.shape)}")
+    turn, velocity, height, positions, *_ = vectors.split(BLOCKS, 1)
+
+    # A row's velocities lead to the next frame, so frame 0 has no turn and stands at the origin
+    half = torch.cat((turn.new_zeros(1), turn[:, 0].cumsum(0)))  # half the angles of F + 1 frames
+    back = R.yaw(-2 * half)
+    steps = torch.stack((velocity[:, 0], torch.zeros_like(half[1:]), velocity[:, 1]), -1)
+    path = torch.cat((steps.new_zeros(1, 3), R.rotate(back[1:], steps).cumsum(0)))[:-1]
+
+    joints = R.rotate(back[:-1, None], positions.unflatten(1, (-1, 3))) + path[:, None]
+    root = path + torch.nn.functional.pad(height, (1, 1))
+    return torch.cat((root[:, None], joints), 1)
 
 
 def fit(parents: Sequence[int], rest: Tensor, positions: Tensor) -> tuple[Tensor, Tensor, float]:
