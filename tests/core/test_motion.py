@@ -245,6 +245,7 @@ def test_bad_clip():
         (q[:, :-1], p, 30, r"expected rotations \[F, 20, 4\]"),
         (q, p[:3], 30, "root positions"),
         (q[:0], p[:0], 30, "F >= 1"),
+        (1.0, p, 30, r"got \[\] and"),
         (bad, p, 30, "rotations of frame 2 are not finite"),
         (long, p, 30, r"length 1; in frame 1 that of HeadEnd has length 1\.01"),
         (nothing, p, 30, "length 1; in frame 3 that of Hips has length 0"),

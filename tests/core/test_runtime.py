@@ -209,6 +209,8 @@ def test_bad_commands_are_refused(small_run):
             make()
     with pytest.raises(ValueError, match="must be finite"):
         runtime.straight(math.nan, 1.0)
+    with pytest.raises(ValueError, match="facing is the direction of the walk"):
+        runtime.straight(1.0, facing=(0.0, 0.0))
     for speed, seconds in ((0.0, None), (math.nan, None), (1.0, -1.0), (1.0, math.inf)):
         problem = "speed must be positive, seconds not negative and both finite"
         with pytest.raises(ValueError, match=problem):

@@ -247,7 +247,10 @@ def test_the_embedded_model_learns_a_style_from_one_clip(fast):
     hips = {name: row["hips"] for name, row in last.rows.items()}
     assert abs(hips["style"] - hips["clip"]) < 4 < hips["Neutral"] - hips["style"]
     assert tk.metrics.upright(last.clips["style"])
-    chosen, compared = tk.styles.choose(dataclasses.replace(made, model=fast[0]), clip)
+    marked = dataclasses.replace(made.bank, shakes=torch.ones(len(made.bank)))
+    chosen, compared = tk.styles.choose(
+        dataclasses.replace(made, model=fast[0], bank=marked), clip)
+    assert chosen.shakes.all()
     assert compared.excess <= last.excess * 1.02
     assert torch.equal(chosen.vectors[:-1], bank.vectors)
 

@@ -492,11 +492,13 @@ def test_a_checkpoint_that_does_not_fit_the_run_is_refused(tmp_path, parts, name
     assert "\n" not in str(error.value)
 
 
-def test_a_saved_run_is_whole(tmp_path, straight):
+def test_a_saved_run_is_whole(tmp_path, straight, monkeypatch):
     path = tmp_path / "run.safetensors"
+    monkeypatch.setattr(straight.model, "lift", 1.14)
     straight.save(path)
     again = training.load(path)
     assert same_weights(straight.model, again.model)
+    assert (again.model.lift, again.model.life) == (1.14, 0.0)
     assert (again.config, course(again)) == (straight.config, course(straight))
     assert again.table() == straight.table()
     assert torch.equal(StyleBank.load(path)["style1"], straight.bank["style1"])
@@ -516,6 +518,7 @@ def test_a_saved_run_is_whole(tmp_path, straight):
     ({"patience": 1, "held_out": 0.0}, "needs held-out frames; got 1 and held_out 0.0"),
     ({"device": "abacus"}, "device must be cpu, cuda, .* got 'abacus'"),
     ({"processes": 33}, "processes must be from 1 to the 32 frames of a minibatch, got 33"),
+    ({"steps": 2.5}, r"steps must be a whole number, got 2\.5"),
 ])
 def test_impossible_configs(changes, match):
     with pytest.raises(ValueError, match=match):

@@ -293,7 +293,9 @@ def recordings(clips: Iterable[tuple[int, Clip]], *, source: str | phases.Source
             found[style].append((take, own_features(clip, ph, samples)))
     if empty := [style for style, own in found.items() if not own]:
         names = ", ".join(map(repr, empty))
-        why = f"style {names} has no clip of {SHORTEST} frames (1.9 s at 60 Hz) to learn the style"
+        least = samples[-1] - samples[0] + 2
+        why = (f"style {names} has no clip of {least} frames ({least / trajectory.FPS:.1f} s at "
+               f"{trajectory.FPS} Hz) to learn the style")
         if len(empty) == len(found):
             raise ValueError(f"{why} from")
         warnings.warn(f"{why} from, and is left out", stacklevel=3)

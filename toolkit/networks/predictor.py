@@ -23,6 +23,7 @@ from toolkit.motion.tensors import as_tensor
 from toolkit.networks import phase
 
 STYLES = 100_000  # most styles of a model
+FACTORS = "life", "lift"  # settings of the runtime that a file keeps
 
 
 @dataclass(frozen=True)
@@ -222,8 +223,11 @@ class Predictor(nn.Module):
         tensors = {f"model.{name}": value for name, value in self.state_dict().items()}
         layout, sizes = self.layout.to_json(), dataclasses.asdict(self.sizes)
         part = registry.find(f"model.{self.name}")
+        factors = {name: getattr(self, name) for name in FACTORS
+                   if getattr(self, name) != getattr(type(self), name)}
         return tensors, {"name": self.name, "layout": layout, "n_styles": self.n_styles,
-                         "sizes": sizes, "module": getattr(part, "func", part).__module__}
+                         "sizes": sizes, "module": getattr(part, "func", part).__module__,
+                         **factors}
 
     @classmethod
     def from_parts(cls, path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict,
@@ -244,6 +248,9 @@ class Predictor(nn.Module):
             name, sizes = str(d["name"]), Sizes(**d["sizes"])
             stored = Layout.from_json(d["layout"])
             calibrated, whole = bool(d.get("calibrated", False)), bool(d.get("generator", True))
+            factors = {name: float(d[name]) for name in FACTORS if name in d}
+            if not all(0 <= value <= 2 for value in factors.values()):
+                raise ValueError(f"{' and '.join(FACTORS)} must be from 0 to 2")
         if name not in registry.names("model"):
             module = str(d.get("module", "unknown"))
             raise ValueError(f"{path}: it holds a model {name!r}, which is not registered; import "
@@ -258,6 +265,8 @@ class Predictor(nn.Module):
                 "model.")
         if calibrated and name.endswith("film"):
             model.calibrated = True
+        for factor, value in factors.items():
+            setattr(model, factor, value)
         return model
 
 

@@ -40,7 +40,7 @@ class Phases:
     """Local phases of F frames and K limbs, usually `LIMBS`; all but ``vector`` are ``[F, K]``."""
 
     vector: Tensor  # [F, K, 2] equation (1): speed · amplitude · (sin, cos), metres per second
-    phase: Tensor  # of the fitted sinusoid at the frame, radians in [0, 2π)
+    phase: Tensor  # of the fitted sinusoids, smoothed over frames, radians in [0, 2π)
     frequency: Tensor  # of the sinusoid, Hz
     amplitude: Tensor  # of the sinusoid, in units of the normalised source
     residual: Tensor  # of the fit, in units of the normalised source

@@ -60,7 +60,10 @@ class Command:
             is_pair = type(value) is tuple and len(value) == 2
             if is_pair and all(type(v) is float and abs(v) <= LARGEST for v in value):
                 continue
-            pairs = as_tensor(value, what).detach()
+            pairs = as_tensor(value, what)
+            if isinstance(value, list | tuple) and any(isinstance(v, Tensor) for v in value):
+                object.__setattr__(self, what, pairs)  # two numbers of torch
+            pairs = pairs.detach()
             if pairs.dim() not in (1, 2) or pairs.shape[-1] != 2:
                 raise ValueError(
                     f"{what} must be one pair (x, z), or [B, 2] of all characters; "
@@ -221,7 +224,7 @@ def straight(
 ) -> list[Command]:
     """Commands that walk straight ahead at ``speed`` m/s.
 
-    A ValueError if the speed is not finite or the time not 0 to `LONGEST`.
+    A ValueError if the speed is not finite, the time not 0 to `LONGEST`, or ``facing`` is zero.
     """
     speed, seconds = as_tensor((speed, seconds), "speed and seconds", torch.float64).tolist()
     if not (math.isfinite(speed) and 0 <= seconds < math.inf):
@@ -231,6 +234,8 @@ def straight(
     if seconds > LONGEST:
         raise ValueError(f"commands are for at most {LONGEST:g} seconds, got {seconds:g}")
     forward = unit(as_tensor(facing, "facing", torch.float64))
+    if not forward.any():
+        raise ValueError("facing is the direction of the walk, and must not be zero")
     command = Command(tuple((speed * forward).tolist()), tuple(forward.tolist()))
     return [command] * round(seconds * FPS)
 

@@ -7,7 +7,7 @@ what a viewer sees.
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import torch
 from torch import Tensor
@@ -162,7 +162,7 @@ def choose(made: NewStyles, clip: Clip, *, anyway: bool = False) -> tuple[StyleB
         best = min(range(len(found)), key=lambda i: found[i].rank())
     kept = made.bank.vectors.clone()
     kept[made.bank.names.index(name)] = vectors[best]
-    return StyleBank(made.bank.names, kept, made.bank.speeds), found[best]
+    return replace(made.bank, vectors=kept), found[best]
 
 
 def _floors(bank: StyleBank, vector: Tensor, name: str | None) -> list[str]:

@@ -235,7 +235,7 @@ def _start(model: Predictor, bank: StyleBank | None, data: Features) -> Tensor:
     for style in data.styles:
         # the style's rows under the name of each style of the bank
         rows = ({known: getattr(data, kind)[style] for known in bank}
-                for kind in (*KINDS, "takes"))
+                for kind in (*KINDS, "takes", "frames"))
         errors = evaluate(model, bank, Features(data.layout, *rows), frames=200)
         best.append(min(errors, key=lambda known: errors[known]["mse"]))
     return torch.stack([bank[known] for known in best])

@@ -195,6 +195,9 @@ def to_clip(x: Tensor, root_velocity: Tensor, source: Clip) -> Clip:
     facing = rotations.float()[:, None]
     wanted = R.rotate(facing, x[:3].permute(1, 2, 0)) + root[:, None]
     world = R.multiply(facing, R.normalize(x[3:].permute(1, 2, 0)))
+    # a root joint that is not the hips keeps its place beside them
+    beside = root_frames(source).to_local(source.root_positions[:, None])[: len(root)]
+    root = root + R.rotate(facing, beside)[:, 0]
     root[:, 1] = x[1, :, 0]
     world = _aimed(source.skeleton, world, root, wanted)
     local = R.unroll(local_rotations(source.skeleton, world))

@@ -73,7 +73,13 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
     joints = [clip.skeleton.names.index(name) for name in source.skeleton.names]
     rotations[:, joints] = result.rotations
     result = result.replace(skeleton=clip.skeleton, rotations=rotations, style=domain)
-    return result.resample(clip.fps)
+    result = result.resample(clip.fps)
+    # at a higher rate than 30 Hz the clip's last frames lie after the network's last one: they keep
+    # its pose and go on along the path
+    at = torch.arange(len(clip)).clamp_max(len(result) - 1)
+    on = clip.root_positions - clip.root_positions[at]
+    return result.replace(rotations=result.rotations[at],
+                          root_positions=result.root_positions[at] + on)
 
 
 def _described(model: Stylizer, reference: Clip) -> Tensor:

@@ -6,6 +6,7 @@ import math
 import os
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from numbers import Integral
 from pathlib import Path
 
 import torch
@@ -18,6 +19,8 @@ from toolkit.networks.bank import StyleBank
 from toolkit.training.loss import STEPS
 
 PRECISIONS = ("32", "bf16")
+#: Settings that are whole numbers.
+WHOLE = "steps", "batch", "clips_per_batch", "refit", "seed", "evaluate_every", "processes"
 PROCEDURAL = Path(__file__).with_name("pretrained.safetensors")
 RECORDED = Path(__file__).parents[2] / "examples" / "models" / "recorded.safetensors"
 TIMES = "elapsed", "processor"  # measured times in a history; two runs never have the same
@@ -119,6 +122,10 @@ class Config:
         for name, value in budgets.items():
             if not 0 < value < math.inf:
                 raise ValueError(f"{name} must be positive and finite, got {value}")
+        for name in WHOLE:
+            value = getattr(self, name)
+            if value is not None and not isinstance(value, Integral):
+                raise ValueError(f"{name} must be a whole number, got {value!r}")
         for name, right, wanted in (
             ("batch", self.batch >= 1, "be a whole number from 1"),
             ("clips_per_batch", 1 <= self.clips_per_batch <= self.batch,

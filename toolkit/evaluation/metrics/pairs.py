@@ -52,10 +52,11 @@ def geodesic(clip: Clip, real: Clip) -> float:
 
     The rotations are those relative to the parents, the root's that in the world. The angle is that
     of the rotation ``R Rrealᵀ``, the distance on the group of rotations (Huynh 2009, *Metrics for
-    3D rotations*, Φ6), mean over frames and joints.
+    3D rotations*, Φ6), mean over frames and joints. End Sites, which never turn, are left out.
     """
     check_pair(clip, real)
-    a, b = clip.rotations.double(), real.rotations.to(clip.rotations).double()
+    turn = [j for j in range(len(clip.skeleton)) if not clip.skeleton.is_end(j)]
+    a, b = (x.rotations[:, turn].to(clip.rotations).double() for x in (clip, real))
     between = R.multiply(R.inverse(a), b)
     # the arc tangent is exact near 0, unlike the arc cosine
     return float(2 * torch.atan2(between[..., 1:].norm(dim=-1), between[..., 0].abs()).mean())

@@ -36,8 +36,11 @@ def shake(clip: Clip) -> float:
 
 
 def skate(clip: Clip) -> float:
-    """Mean speed of low toes in three dimensions, m/s: `foot_skate`, mean of both feet."""
-    return sum(foot_skate(clip).values()) / len(SIDES)
+    """Mean speed of low toes in three dimensions, m/s: `foot_skate`, mean of the feet.
+
+    A foot that is never low, as in a hop, does not count; NaN if none is.
+    """
+    return float(torch.tensor(list(foot_skate(clip).values())).nanmean())
 
 
 def floor(clip: Clip) -> float:
