@@ -107,7 +107,7 @@ def test_bodies_keep_apart_by_the_reach_of_their_styles(embedded):
                               for s in states])
         nearest.append(float(torch.cdist(places[:, 0], places[:, 1]).min()))
     lines = Scene(arms, 1.0).check(*embedded)
-    assert sum("its limbs may go through others; Scene.spaced" in line for line in lines) == 2
+    assert sum("its limbs may go through others; `shot --bodies" in line for line in lines) == 2
     assert scene.check(*embedded) == []
     assert min(scene.radii) > 0.6  # of outstretched arms
     mixed = Scene([arms[0], MEET[1]], 1.0).spaced(*embedded, bodies=0.4)
@@ -507,3 +507,14 @@ def test_the_verb_writes_a_motion(tmp_path, capsys):
     assert main(["shot", str(file), "--out", str(out)]) == 0
     assert len(tk.bvh.load(out)) == 60
     assert "not reached in 1 s" in capsys.readouterr().err
+
+
+def test_the_verb_gives_bodies_the_room_of_their_styles(tmp_path, capsys):
+    from toolkit.__main__ import main
+
+    file, out = tmp_path / "two.json", tmp_path / "walk.bvh"
+    Scene([dataclasses.replace(shot, styles="Aeroplane", duration=0.5) for shot in MEET],
+          0.7).save(file)
+    for words, lines in ([], 2), (["--bodies", "0.1"], 0):
+        assert main(["shot", str(file), "--out", str(out), *words]) == 0
+        assert capsys.readouterr().err.count("its limbs may go through others") == lines

@@ -158,7 +158,7 @@ class Scene:
             room = radii[k] + min(radii[:k] + radii[k + 1:], default=math.inf)
             if reach + OTHERS["limb", "trunk"] > room:
                 lines.append(f"{who} reaches {reach:.2f} m and keeps {room:.2f} m: its limbs may "
-                             "go through others; Scene.spaced gives it room")
+                             "go through others; `shot --bodies 0.1` gives it room")
         for j, k in itertools.combinations(range(len(goals)), 2):
             if (room := math.dist(goals[j], goals[k])) < radii[j] + radii[k]:
                 lines.append(f"{self._called(j)} and {self._called(k)} end {room:.2f} m apart and "

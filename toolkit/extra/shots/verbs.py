@@ -23,6 +23,9 @@ def shot(
     model: TrainedRun = None,
     parameters: Published = None,
     seed: Annotated[int | None, typer.Option(help="In place of the seed of the shots.")] = None,
+    bodies: Annotated[float | None, typer.Option(
+        min=0.0, help="Metres between the bodies of those who keep apart: each gets the room that "
+        "its styles reach.")] = None,
 ) -> None:
     """Render a file of shots, say what cannot be met, and write the motion."""
     scene = shots.Scene.load(file)
@@ -39,6 +42,8 @@ def shot(
         # each shot is walked twice, to check it and to render it
         frames = sum(2 * len(asked.plan(bank)[0].distance) for asked in scene.shots)
         net = runtime.quick(net, frames, say)
+        if bodies is not None and scene.apart is not None:
+            scene = scene.spaced(net, bank, bodies)
         for line in scene.check(net, bank):
             say(line, sys.stderr)
     except ValueError as error:
