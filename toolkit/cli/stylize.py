@@ -47,8 +47,7 @@ def stylize_clip(
     made = stylize(stylizer, source, domain, seed, reference=other, blend=blend, feet=feet)
     saving.save(made, out, title=domain, source=source, progress=True)
     standing = contacts.detect(source)
-    before, after = (sum(metrics.foot_skate(motion, standing[: len(motion)]).values()) * 50
-                     for motion in (source, made))
+    before, after = (100 * metrics.feet(motion, standing)["skate"] for motion in (source, made))
     say(f"{len(made)} frames; feet that should stand slide by {after:.1f} cm/s, in the source "
         f"{before:.1f}; wrote {out}")
     say(told(made))
