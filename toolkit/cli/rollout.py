@@ -1,5 +1,6 @@
 """The verb `rollout`: walk straight ahead in a style or a blend, write and measure the motion."""
 
+import math
 import warnings
 from pathlib import Path
 from typing import Annotated
@@ -48,13 +49,13 @@ def rollout(
     saving.save(clip, out, title=style, progress=True, character=character)
     low, high = metrics.hips_height(clip)
     went = metrics.speed(clip)
-    skate = metrics.foot_skate(clip, torch.stack([state.contacts[0] for state in states]))
+    slid = metrics.foot_skate(clip, torch.stack([state.contacts[0] for state in states])).values()
+    skate = max((speed for speed in slid if not math.isnan(speed)), default=0.0)
     if seconds > 1 and went < HARDLY * speed:
         warnings.warn(f"the character hardly walks: {went:.2f} m/s for {speed:.2f} asked",
                       stacklevel=2)
     say(f"{len(clip)} frames, {went:.2f} m/s for {speed:.2f} asked, hips {low:.2f} to {high:.2f} m,"
-        f" foot skate right {skate['right'] * 100:.1f} left {skate['left'] * 100:.1f} cm/s; wrote "
-        f"{out}")
+        f" foot skate {skate * 100:.1f} cm/s; wrote {out}")
     say(told(clip))
 
 
