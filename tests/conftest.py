@@ -10,14 +10,20 @@ import toolkit as tk
 settings.register_profile("repeatable", derandomize=True, deadline=None, max_examples=25,
                           database=None)
 settings.load_profile("repeatable")
+#: Files that take longer than ten seconds.
+SLOW = {"test_docs", "test_exercises", "test_export", "test_own_models", "test_package",
+        "test_robustness", "test_runtime", "test_shots", "test_store", "test_styles",
+        "test_stylization_evaluation", "test_training", "test_web"}
 torch.set_num_threads(1)  # small tensors: more threads only wait for each other
 
 
 def pytest_collection_modifyitems(items):
     """What takes longest comes first, so that no process waits for another at the end."""
     def turn(item) -> int:
-        path = item.path.as_posix()
-        return 0 if "/tests/browser/" in path else 1 if path.endswith(".ipynb") else 2
+        path = item.path
+        if path.parent.name == "browser":
+            return 0
+        return 1 if path.suffix == ".ipynb" else 2 if path.stem in SLOW else 3
 
     items.sort(key=turn)
 

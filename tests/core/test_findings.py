@@ -95,10 +95,9 @@ def test_characters_in_each_others_way(walk):
     assert "through" not in kinds([walk])
 
 
-def test_a_shot_is_rendered_first():
-    model, bank = tk.pretrained()
+def test_a_shot_is_rendered_first(fast):
     shot = tk.shots.Shot([(0.0, 0.0), (0.0, 2.0)], "Neutral")
-    assert all(f.unit for f in defects(shot, (model, bank)))
+    assert all(f.unit for f in defects(shot, fast))
     with pytest.raises(ValueError, match="give the model and its bank"):
         defects(shot)
 

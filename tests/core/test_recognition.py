@@ -47,8 +47,8 @@ def test_it_recognises_motion_that_it_has_not_seen(recogniser, unseen):
     assert float(p[1:].sum()) > 0.8
 
 
-def test_it_recognises_what_a_model_makes(recogniser):
-    model, bank = tk.pretrained()
+def test_it_recognises_what_a_model_makes(recogniser, fast):
+    model, bank = fast
     vectors = torch.stack([bank[style] for style in STYLES])
     states = list(tk.runtime.states(model, tk.runtime.straight(1.0, 3.0), vectors))[90:]
     found = recogniser.probabilities(torch.stack([s.joints for s in states], 1))

@@ -367,8 +367,8 @@ def test_a_style_walks_as_its_clip_and_another_one_does_not(zombie, fast, monkey
         assert cycle.seconds == pytest.approx(lengths[name], abs=0.05)
 
 
-def test_a_broken_style_fails_and_says_why(zombie):
-    model, bank = tk.pretrained()
+def test_a_broken_style_fails_and_says_why(zombie, fast):
+    model, bank = fast
     noise = torch.randn(bank.vectors.shape[1], generator=torch.Generator().manual_seed(0))
     broken = tk.styles.compare(zombie, model, bank["Zombie"] + 2 * noise, bank)
     assert broken.verdict == "failed"

@@ -189,8 +189,8 @@ def test_text_files_name_their_encoding():
     assert not silent
 
 
-def test_pretrained_knows_every_style_and_stands_when_told():
-    model, bank = tk.pretrained()
+def test_pretrained_knows_every_style_and_stands_when_told(fast):
+    model, bank = fast
     assert set(bank.names) == set(tk.datasets.procedural.STYLES)
     assert (REPOSITORY / "toolkit" / "training" / "pretrained.safetensors").stat().st_size < 15e6
     vectors = torch.stack([bank[name] for name in bank.names])

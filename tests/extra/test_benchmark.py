@@ -89,10 +89,10 @@ def test_scores_repeat_and_name_what_they_were_measured_with(clips, tmp_path, ca
     assert "no such folder" in capsys.readouterr().err
 
 
-def test_a_model_walks_the_plan_in_the_styles_that_it_knows(monkeypatch):
+def test_a_model_walks_the_plan_in_the_styles_that_it_knows(fast, monkeypatch):
     monkeypatch.setitem(PLAN, "tracks", {"stop": PLAN["tracks"]["stop"]})
     monkeypatch.setitem(PLAN, "seeds", [0])
-    model, bank = tk.pretrained()
+    model, bank = fast
     made = walk(model, bank, {"exhausted": "Old"})
     assert list(made) == ["stop_exhausted_0", "stop_normal_0"]
     rows = score(made, Judges.load(), "procedural").rows

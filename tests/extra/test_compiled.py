@@ -109,10 +109,10 @@ def test_legs_and_arms_out_of_reach_bend_alike(pretrained):
 
 
 def test_rollouts_stay_together_and_do_not_drift_apart(pretrained):
-    """1 mm after a second; after six, where differences have grown, still the same walk."""
+    """1 mm after a second; after three, where differences have grown, still the same walk."""
     model, compiled, bank = pretrained
     styles = torch.stack([bank[name] for name in ("Neutral", "Zombie")])
-    ways = [*runtime.straight(1.0, 3.0), *runtime.straight(1.0, 3.0, (1.0, 0.0))]
+    ways = [*runtime.straight(1.0, 1.5), *runtime.straight(1.0, 1.5, (1.0, 0.0))]
     runs = [list(runtime.states(m, ways, styles)) for m in (model, compiled)]
     for i in range(len(styles)):
         plain = runtime.record(model, runs[0], character=i)
