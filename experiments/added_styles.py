@@ -1,9 +1,10 @@
 """Styles learnt from single clips, each judged by its walk beside the clip (`styles.compare`)."""
 
-import math
 import re
+import warnings
 from collections import Counter
 from pathlib import Path
+from statistics import median
 from typing import Annotated
 
 import typer
@@ -12,6 +13,7 @@ from experiments.tables import Result, Store
 from toolkit import published, styles
 from toolkit.cli import verbs
 from toolkit.cli.style import fitted
+from toolkit.io.files import below
 from toolkit.io.load import load
 from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip
@@ -20,87 +22,102 @@ from toolkit.view import strip
 
 STEPS = 150
 ABOUT = "Styles learnt from one walking clip each, by their walk beside the clip."
-COMMAND = ("python -m experiments added-styles --root DATA --kinds 'xia|foreign|pfnn|100style' "
+COMMAND = ("python -m experiments added-styles --root DATA [--fresh] [--kinds PART] "
            "[--model examples/models/recorded.safetensors] --store")
-WAYS = {"error": "the vector of the least error", "walk": "the vector that walks best",
-        "learn": "the best of all ways", "floor": "the nearest old style"}
+WAYS = {"learn": "the best of all ways", "floor": "the nearest old style",
+        "error": "the vector of the least error"}
 COLUMNS = {"learnt": ["base", None], "good": ["good", 0], "weak": ["weak", 0],
            "failed": ["failed", 0], "refused": ["refused", 0], "excess": ["median excess", 2]}
+EACH = {"clip": ["clip", None], "verdict": ["verdict", None], "eye": ["by eye", None],
+        "floor": ["nearest old style", None], "excess": ["excess", 2], "why": ["why", None]}
+#: The recorded walks on which the limits of the verdicts were chosen.
+CHOSE = ("xia/neutral_01_000", "xia/sexy_01_000", "xia/strutting_01_000",
+         "foreign/bvh-toolbox__walk01", "foreign/bvh-python__test_freebvh",
+         "foreign/pybvh__cmu_12_01_walk", "foreign/animateddrawings__zombie",
+         "pfnn/LocomotionFlat04_000", "100style/Neutral_FW")
+#: What is seen in the pictures of clips that chose no limit.
+EYE: dict[str, str] = {}
 
 
 def run(
-    root: Annotated[Path, typer.Option(help="Folder of the data sets: bandai, xia, pfnn, foreign, "
-                                            "100style.")],
+    root: Annotated[Path, typer.Option(help="Folder of motion files.")],
     parameters: verbs.Published = None,
     model: verbs.TrainedRun = None,
-    take: Annotated[int, typer.Option(help="Which take of each style of Bandai-Namco: 0 is the "
-                                           "first, -1 the last.")] = -1,
+    fresh: Annotated[bool, typer.Option(
+        "--fresh", help="The files that chose no limit, in place of those that did.")] = False,
     kinds: Annotated[str, typer.Option(help="Which clips: a part of their paths.")] = "",
     pictures: Annotated[Path | None, typer.Option(help="Folder for a strip of each clip.")] = None,
     store: Store = False,
 ) -> None:
-    """Verdicts on a style of every walking clip, and on the nearest old style as a floor.
-
-    The limits of the verdicts were chosen on the last take of each style.
-    """
+    """Verdicts on a style of every walking clip, and on the nearest old style as a floor."""
     net = published.either(model, parameters)
     base = "published" if parameters else "procedural" if model is None else model.stem
     found: dict[str, list[styles.Comparison]] = {way: [] for way in WAYS}
     refused = 0
-    files = [file for file in clips(root, take) if re.search(kinds, str(file))]
-    for file in progress_bar(files, desc="styles", unit="clip"):
-        try:
-            clip = fitted(load(file), net.model, net.bank)
-            why = styles.not_a_walk(clip)
-        except ValueError as error:
-            why = str(error)
-        if why:
-            print(f"{file.name}: refused: {why}")
+    for file in progress_bar(files(root, fresh, kinds), desc="styles", unit="clip"):
+        name = f"{base}: {file.parent.name}/{file.stem}"
+        clip, why = walk(file, net)
+        if clip is None:
+            print(f"{name}: refused: {why}", flush=True)
             refused += 1
             continue
-        one = judged(net, clip)
+        one = judged(net, clip, fresh)
         for way, compared in one.items():
             found[way].append(compared)
-        print(file.name, *(f"{way}: {c.verdict} {c.excess:.2f}" for way, c in one.items()),
-              sep="; ")
-        print(one["learn"], flush=True)
+        print(name, *(f"{way}: {c.verdict} {c.excess:.2f}" for way, c in one.items()), sep="; ")
+        best = one["learn"]
+        print(best, flush=True)
+        if fresh and store:  # at once: a run takes hours
+            row = {"clip": name, "verdict": best.verdict, "eye": EYE.get(name),
+                   "floor": one["floor"].verdict, "excess": best.excess,
+                   "why": "; ".join(best.reasons)}
+            Result("added-styles-fresh", ABOUT, COMMAND, EACH, [row], {"steps": STEPS}).add()
         if pictures:
-            cycles = one["learn"].cycles()
-            strip(list(cycles.values()), pictures / f"{base}_{file.stem}.png",
+            cycles = best.cycles()
+            strip(list(cycles.values()), pictures / f"{name.replace('/', '_')}.png",
                   labels=list(cycles), width=10, dpi=60)
     rows = []
     for way, compared in found.items():
-        count = Counter(c.verdict for c in compared)
-        excesses = sorted(c.excess for c in compared) or [math.nan]
-        rows.append({"learnt": f"{base}: {WAYS[way]}", "good": count["good"],
-                     "weak": count["weak"], "failed": count["failed"], "refused": refused,
-                     "excess": excesses[len(excesses) // 2]})
-        print(rows[-1])
-    if store:
+        if compared:
+            count = Counter(c.verdict for c in compared)
+            rows.append({"learnt": f"{base}: {WAYS[way]}", "good": count["good"],
+                         "weak": count["weak"], "failed": count["failed"], "refused": refused,
+                         "excess": median(c.excess for c in compared)})
+            print(rows[-1])
+    if store and not fresh:
         Result("added-styles", ABOUT, COMMAND, COLUMNS, rows,
-               {"steps": STEPS, "kinds": kinds, "take": take}).add()
+               {"steps": STEPS, "kinds": kinds}).add()
 
 
-def clips(root: Path, take: int) -> list[Path]:
-    """A walk of each style of Bandai-Namco, runs of some, and walks of other sources."""
-    takes: dict[str, list[Path]] = {}
-    for file in sorted((root / "bandai").glob("dataset-*/*.bvh")):
-        name = file.stem.rpartition("_")[0]
-        if "_walk_" in name or "_run_" in name:
-            takes.setdefault(name, []).append(file)
-    others = ["xia/neutral_01_000.bvh", "xia/sexy_01_000.bvh", "xia/strutting_01_000.bvh",
-              "foreign/bvh-toolbox__walk01.bvh", "foreign/bvh-python__test_freebvh.bvh",
-              "foreign/pybvh__cmu_12_01_walk.bvh", "foreign/animateddrawings__zombie.bvh",
-              "pfnn/LocomotionFlat04_000.bvh", "100style/Neutral_FW.bvh"]
-    return [files[take] for files in takes.values()] + [root / other for other in others]
+def files(root: Path, fresh: bool, kinds: str) -> list[Path]:
+    """The files on which the limits were chosen, or all others."""
+    if not fresh:
+        return [root / f"{name}.bvh" for name in CHOSE if re.search(kinds, name)]
+    return [file for file in below(root) if file.suffix == ".bvh" and re.search(kinds, str(file))
+            and f"{file.parent.name}/{file.stem}" not in CHOSE]
 
 
-def judged(net: Run, clip: Clip) -> dict[str, styles.Comparison]:
+def walk(file: Path, net: Run) -> tuple[Clip | None, str]:
+    """The clip of a file on the model's skeleton, or None and why it is no walk."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            clip = load(file)
+        if why := styles.not_a_walk(clip):  # before the retargeting, which takes longer
+            return None, why
+        clip = fitted(clip, net.model, net.bank)
+        why = styles.not_a_walk(clip)
+    except ValueError as error:
+        return None, str(error)
+    return (None, why) if why else (clip, "")
+
+
+def judged(net: Run, clip: Clip, fresh: bool) -> dict[str, styles.Comparison]:
     """Comparisons by `WAYS`."""
-    made = styles.fine_tune(net.model, clip, "new", net.bank, steps=STEPS)
-    walk = best = styles.choose(made, clip)[1]
-    if walk.verdict != "good":  # else `learn` stops after the same way
-        best = styles.learn(net.model, net.bank, [clip], "new", steps=STEPS).compared
+    best = styles.learn(net.model, net.bank, [clip], "new", steps=STEPS)
+    made = best.made
     nearest = made.bank.nearest("new", 1)[0][0]
-    return {"error": styles.compare(clip, made.model, "new", made.bank), "walk": walk,
-            "learn": best, "floor": styles.compare(clip, net.model, nearest, net.bank)}
+    found = {"learn": best.compared, "floor": styles.compare(clip, net.model, nearest, net.bank)}
+    if not fresh:
+        found["error"] = styles.compare(clip, made.model, "new", made.bank)
+    return found

@@ -205,7 +205,7 @@ def of_clip(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
     toes, ankles = ((part[1:] - part[:-1]).norm(dim=-1) * clip.fps * 100
                     for part in (at["toe"], at["foot"]))
     thigh, shank = at["knee"] - at["hip"], at["foot"] - at["knee"]
-    bend = torch.atan2(torch.linalg.cross(thigh, shank).norm(dim=-1), (thigh * shank).sum(-1))
+    bend = R.angle(thigh, shank)
     feet = metrics.feet(clip, contact)
     return {
         "toes": float(toes[on].mean()), "ankle": float(ankles[on].max()) if on.any() else 0.0,

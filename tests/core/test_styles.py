@@ -13,6 +13,7 @@ from safetensors import safe_open
 import toolkit as tk
 from toolkit.__main__ import main
 from toolkit.cli.style import fitted
+from toolkit.motion import rotations as R
 from toolkit.styles import StyleBank, comparison, fine_tuning
 from toolkit.styles.transitions import EASINGS
 
@@ -291,7 +292,7 @@ def test_style_add_writes_the_same_file_with_one_vector_more(tmp_path, small_run
     assert main([*words, "--anyway"]) == 0
     said = capsys.readouterr().out
     assert "near it: " in said
-    assert "Held-out frames: mean squared error " in said
+    assert "held-out frames: mean squared error " in said
     with safe_open(run, "pt") as old, safe_open(out, "pt") as new:
         assert set(old.keys()) == set(new.keys())
         kept = [k for k in old.keys() if not k.startswith("bank.")]  # noqa: SIM118 (not a dict)
@@ -367,6 +368,28 @@ def test_a_style_walks_as_its_clip_and_another_one_does_not(zombie, fast, monkey
         assert cycle.seconds == pytest.approx(lengths[name], abs=0.05)
 
 
+@pytest.mark.parametrize(("joint", "axis", "seen"), [
+    ("Head", (1, 0, 0), {"head": 20.0}), ("Head", (0, 0, 1), {"head": 20.0}),
+    ("Head", None, {"head": 0.0}), ("LeftKnee", (1, 0, 0), {"knees": 10.0})])
+def test_a_nod_and_bent_knees_are_measured_and_a_look_aside_is_not(joint, axis, seen):
+    clip = tk.datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=2.0)[0]
+    rotations, at = clip.rotations.clone(), clip.skeleton.index(joint)
+    axis = torch.tensor([axis]).float() if axis else comparison.up_of_head(clip)
+    turn = R.from_axis_angle(axis, torch.full((len(axis),), math.radians(20)))
+    rotations[:, at] = R.multiply(rotations[:, at], turn)
+    walks = clip.cut(0, len(clip)), clip.replace(rotations=rotations)
+    before, after = (comparison.measures(walk, clip) for walk in walks)
+    changed = {what: after[what] - before[what] for what in ("head", "knees")}
+    assert changed == pytest.approx({"head": 0.0, "knees": 0.0} | seen, abs=2.0)
+
+
+def test_of_a_long_clip_the_middle_is_compared(zombie, fast):
+    model, bank = fast
+    middle = tk.styles.compare(zombie, model, "Zombie", bank).clips["clip"]
+    begin = round((zombie.seconds - comparison.LONGEST) * 30)
+    assert torch.equal(middle.rotations, zombie.rotations[begin:-begin])
+
+
 def test_a_broken_style_fails_and_says_why(zombie, fast):
     model, bank = fast
     noise = torch.randn(bank.vectors.shape[1], generator=torch.Generator().manual_seed(0))
@@ -410,7 +433,9 @@ def test_a_walk_repeats_itself_where_its_tempo_changes(zombie):
     (lambda clip: clip.replace(root_positions=clip.root_positions * torch.tensor([0., 1, 0])),
      "covers 0.0"),
     (lambda clip: clip.replace(rotations=clip.rotations[:1].expand_as(clip.rotations)),
-     "never leaves the floor|does not repeat itself"),
+     "never leaves the floor|do not pass each other"),
+    (lambda _: tk.datasets.load("procedural", styles=["HopLeft"], gaits=["FW"])[0],
+     "do not pass each other"),
 ])
 def test_what_is_no_walk_is_refused_with_the_reason(zombie, change, why):
     model, bank = tk.pretrained()

@@ -1,6 +1,5 @@
 """The verb `style`: add a style to a trained model from clips, and list the styles of a model."""
 
-import math
 from pathlib import Path
 from shlex import quote
 from typing import Annotated
@@ -112,17 +111,10 @@ def list_(model: TrainedRun = None, parameters: Published = None) -> None:
 
 
 def _report(made: NewStyles, name: str) -> None:
-    """Print the losses and the error on held-out frames, and whether adding helped."""
-    first, last = (sum(part) / len(part) if part else math.nan
-                   for part in (made.losses[:20], made.losses[-20:]))
-    say(f"{METHODS[made.method]}: loss {first:.3f} → {last:.3f} in {made.seconds:.0f} s, kept step "
-        f"{made.best}")
-    error = made.held_out[name]
-    say("Held-out frames: mean squared error {before:.3f} before, {after:.3f} after; {repeat:.3f} "
-        "by repeating the frame, {mean:.3f} by the mean".format(**error))
-    if error["after"] >= error["before"]:
-        say("Adding did not help on these frames, which did not choose the step: use more or "
-            "longer clips.")
+    """Print how it was learnt, and the error on held-out frames beside its floors."""
+    say("{}: held-out frames: mean squared error {before:.3f} before, {after:.3f} after; "
+        "{repeat:.3f} by repeating the frame, {mean:.3f} by the mean".format(
+            METHODS[made.method], **made.held_out[name]))
 
 
 def fitted(clip: Clip, network: Predictor, bank: StyleBank) -> Clip:

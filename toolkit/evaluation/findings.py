@@ -221,7 +221,8 @@ def _pops(clip: Clip, at: dict[str, Tensor]) -> Iterator[tuple[str, str, Tensor]
             yield "shake", role, _placed(steady * (min(clip.fps, 60) / 30) ** 2, len(clip))
     for side in SIDES:
         for root, middle, end in (("hip", "knee", "foot"), ("shoulder", "elbow", "hand")):
-            flexion = _flexion(*(at[f"{side}_{part}"] for part in (root, middle, end)))
+            above, joint, below = (at[f"{side}_{part}"] for part in (root, middle, end))
+            flexion = R.angle(joint - above, below - joint).rad2deg()
             turn = flexion[2 * k:] - 2 * flexion[k:-k] + flexion[:-2 * k]
             turn = turn.abs() * (clip.fps / k) ** 2
             yield "bend", f"{side}_{middle}", _placed(turn, len(clip))
@@ -318,13 +319,6 @@ def _points(a: Tensor, b: Tensor) -> Tensor:
 def _distance(a: Tensor, b: Tensor) -> Tensor:
     """Least distance ``[F]`` of points ``[F, N, 3]`` and ``[F, M, 3]``."""
     return torch.cdist(a, b).flatten(1).amin(1)
-
-
-def _flexion(root: Tensor, middle: Tensor, end: Tensor) -> Tensor:
-    """Angle ``[F]`` of a knee or elbow, degrees: 0 if straight."""
-    above, below = middle - root, end - middle
-    across = torch.linalg.cross(above, below).norm(dim=-1)
-    return torch.atan2(across, (above * below).sum(-1)).rad2deg()
 
 
 def _moved(path: Tensor, fps: float, seconds: float) -> Tensor:

@@ -97,6 +97,11 @@ def between(a: Tensor, b: Tensor) -> Tensor:
     return torch.where(w < 1e-6, half_turn, normalize(q))
 
 
+def angle(a: Tensor, b: Tensor) -> Tensor:
+    """Radians ``[...]`` between vectors ``[..., 3]``, 0 to π."""
+    return torch.atan2(torch.linalg.cross(a, b).norm(dim=-1), (a * b).sum(-1))
+
+
 def least_axis(v: Tensor) -> Tensor:
     """The coordinate axis ``[..., 3]`` of the smallest component of ``v``; never parallel to it."""
     return (torch.arange(3, device=v.device) == v.abs().argmin(-1, keepdim=True)).to(v.dtype)

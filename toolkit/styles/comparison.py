@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 
 import torch
 from torch import Tensor
+from torch.nn.functional import cosine_similarity
 
 from toolkit import runtime
 from toolkit.motion import Clip, contacts, rotations as R
@@ -22,23 +23,24 @@ from toolkit.networks import FilmGenerator, Predictor
 from toolkit.networks.bank import StyleBank
 from toolkit.styles.fine_tuning import STEPS, NewStyles, fine_tune
 
-SECONDS, LONGEST = 6.0, 12.0  # of a walk that is compared: at least, and at most
+SECONDS, LONGEST = 6.0, 12.0  # of a walk that is compared: at least, and of a clip at most
 WARM_UP = 2.0  # seconds before it
 SMOOTH = 0.5  # seconds over which a clip's velocity and facing are averaged into commands
 CYCLE = 0.4, 2.0  # seconds that two steps may last
 WINDOW = 3.0  # seconds in which a cycle is compared with the next one
-#: What a walk has at least: seconds, m/s, and the correlation of a cycle with the next one.
-SHORTEST, SLOWEST, PERIODIC = 1.9, 0.3, 0.7
+#: What a walk has at least: seconds, m/s, and how regular it is (`periodicity`).
+SHORTEST, SLOWEST, PERIODIC = 1.9, 0.3, 0.4
 #: Largest differences from the clip of a good walk, relative for speed and steps; twice as much
 #: is a failure. Its posture has at most so large a share of a floor's distance, but `CLOSE` cm are
 #: always enough and `FAR` never. Its range is at most so many times the clip's, or smaller.
-LIMITS = {"speed": 0.25, "direction": 15.0, "steps": 0.2, "slower foot": 8.0, "hips": 6.0}
+LIMITS = {"speed": 0.25, "direction": 15.0, "steps": 0.2, "slower foot": 8.0, "hips": 6.0,
+          "knees": 20.0, "head": 15.0}
 POSTURE, CLOSE, FAR, RANGE = 0.8, 2.0, 7.0, 2.2
 #: Shares of the way from the start of a training to its best vector.
 SHARES = 0.6, 0.8, 1.2, 1.4
 VERDICTS = "good", "weak", "failed"
 UNITS = {"speed": "m/s", "direction": "°", "steps": "1/s", "slower foot": "cm/s", "hips": "cm",
-         "posture": "cm", "range": "cm"}
+         "knees": "°", "head": "°", "posture": "cm", "range": "cm"}
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,9 +49,11 @@ class Comparison:
 
     ``rows`` has a dict for the ``clip``, the ``style``, and each style of the bank that is a floor:
     ``speed``, m/s; ``direction`` of travel, degrees from the facing; ``steps`` per second;
-    ``slower foot``, mean speed of the slower toe, cm/s; ``hips``, mean height, cm; ``posture``,
-    mean distance of hands and spine from where the clip has them on average, cm (for the clip: of
-    its second half from its first); ``range``, deviation of hands and spine from their mean, cm.
+    ``slower foot``, mean speed of the slower toe, cm/s; ``hips``, mean height, cm; ``knees``, mean
+    bend, degrees; ``head``, how far it nods or leans from where the clip holds it, degrees;
+    ``posture``, mean distance of hands and spine from where the clip has them on average, cm (for
+    the clip: head and posture of its second half from its first); ``range``, deviation of hands
+    and spine from their mean, cm.
     """
 
     verdict: str  # one of `VERDICTS`
@@ -59,9 +63,10 @@ class Comparison:
     clips: dict[str, Clip]  # the motion of each row
 
     def __repr__(self) -> str:
-        lines = [f"{'':<16}" + "".join(f"{f'{name}, {unit}':>18}" for name, unit in UNITS.items())]
-        for name, row in self.rows.items():
-            lines.append(f"{name[:16]:<16}" + "".join(f"{row[what]:>18.2f}" for what in UNITS))
+        lines = [" " * 18 + "".join(f"{name[:14]:>15}" for name in self.rows)]
+        for what, unit in UNITS.items():
+            values = "".join(f"{row[what]:>15.2f}" for row in self.rows.values())
+            lines.append(f"{f'{what}, {unit}':<18}{values}")
         reasons = "; ".join(self.reasons)
         return "\n".join([*lines, f"{self.verdict}: {reasons}" if reasons else self.verdict])
 
@@ -96,7 +101,8 @@ def compare(clip: Clip, model: Predictor, style: Tensor | str, bank: StyleBank) 
     Parameters
     ----------
     clip
-        A walk or a run on the model's skeleton, at any rate.
+        A walk or a run on the model's skeleton, at any rate; of a long one `LONGEST` seconds in
+        the middle are compared, because many takes begin and end standing.
     style
         The vector ``[D]``, or a name in the bank.
     bank
@@ -177,8 +183,12 @@ def _compared(clip: Clip, model: Predictor, vectors: Tensor, bank: StyleBank, fl
     clip = clip.resample(FPS)
     if not anyway and (why := not_a_walk(clip)):
         raise ValueError(f"{clip.name}: {why}")
+    more = max(0, len(clip) - round(LONGEST * FPS))
+    clip = clip.cut(more // 2, len(clip) - (more - more // 2))
     together = torch.cat([vectors, *(bank[other][None] for other in floors)])
-    walked = list(runtime.states(model, commands(clip), together))[round(WARM_UP * FPS):]
+    asked = commands(clip)
+    walked = list(runtime.states(runtime.quick(model, len(asked)), asked, together))
+    walked = walked[round(WARM_UP * FPS):]
     walks = [runtime.record(model, walked, character=i) for i in range(len(together))]
     beside = dict(zip(floors, walks[len(vectors):], strict=True))
     fixed = {"clip": measures(clip, clip)}
@@ -203,6 +213,8 @@ def difference(rows: Mapping[str, Mapping[str, float]], what: str) -> float:
     if what == "posture":
         floors = [row[what] for name, row in rows.items() if name not in ("clip", "style")]
         return style / min(max(POSTURE * min(floors, default=math.inf), CLOSE), FAR)
+    if what == "head":
+        return style / LIMITS[what]
     if what == "range":
         return abs(math.log(style / clip)) / math.log(RANGE)
     if what == "direction":
@@ -224,7 +236,8 @@ def against(rows: Mapping[str, Mapping[str, float]], what: str) -> str:
 def not_a_walk(clip: Clip) -> str:
     """Why no style can be learnt from a clip on its own; empty for a walk or a run.
 
-    A walk lasts two steps or more, covers ground, lifts both feet and repeats itself.
+    A walk lasts two steps or more, covers ground, lifts both feet, and they pass each other in
+    turn.
     """
     if clip.seconds < SHORTEST:
         return f"lasts {clip.seconds:.1f} s; a style needs {SHORTEST:g} s or more"
@@ -235,15 +248,17 @@ def not_a_walk(clip: Clip) -> str:
         if share > 0.97:
             return f"the {side} foot never leaves the floor"
     if (likeness := periodicity(clip)[0]) < PERIODIC:
-        return (f"does not repeat itself: one cycle and the next correlate by {likeness:.2f}, "
-                f"in a walk by {PERIODIC:g} or more")
+        return (f"the feet do not pass each other in turn: regular by {likeness:.2f}, a walk by "
+                f"{PERIODIC:g} or more")
     return ""
 
 
 def periodicity(clip: Clip) -> tuple[float, int]:
-    """How much a cycle resembles the next one, up to 1, and its length in frames.
+    """How regularly the feet pass each other, up to 1, and the length of a cycle in frames.
 
-    The largest autocorrelation of the toes' distance along the facing, over lags of `CYCLE`: the
+    In a walk, the toes' distance along the facing is the same a cycle later, and its negative half
+    a cycle later, where the other foot leads. This is half the difference of the two correlations,
+    the second without removing the means. It is the largest value over lags of `CYCLE`, and the
     median over windows of `WINDOW`, because the tempo of a long take changes.
     """
     toes = root_frames(clip).to_local(contacts.toes_of(clip))[..., 2]
@@ -254,10 +269,16 @@ def periodicity(clip: Clip) -> tuple[float, int]:
     lags = range(shortest, min(longest, 2 * window // 3) + 1)
     if not lags:
         return math.nan, 0
-    likeness = torch.stack([correlation(windows[:, lag:], windows[:, :-lag]) for lag in lags])
-    best = likeness.amax(0)
+
+    def regular(lag: int) -> Tensor:
+        half = lag // 2
+        same = correlation(windows[:, lag:], windows[:, :-lag])
+        return (same - cosine_similarity(windows[:, half:], windows[:, :-half], dim=-1)) / 2
+
+    found = torch.stack([regular(lag) for lag in lags])
+    best = found.amax(0)
     # of nearly equal peaks the first one counts: the second one is two cycles
-    first = (likeness > best - 0.05).int().argmax(0)
+    first = (found > best - 0.05).int().argmax(0)
     return float(best.median()), lags[int(first.median())]
 
 
@@ -292,7 +313,7 @@ def commands(clip: Clip) -> list[runtime.Command]:
     made = [(along.mean(0), torch.zeros(()))] * round(WARM_UP * clip.fps)
     while len(made) < (WARM_UP + SECONDS) * clip.fps:
         made += zip(along, torch.cat((turns, turns.new_zeros(1))), strict=True)
-    made = made[: round((WARM_UP + min(max(SECONDS, clip.seconds), LONGEST)) * clip.fps)]
+    made = made[: round((WARM_UP + max(SECONDS, clip.seconds)) * clip.fps)]
     now = torch.stack([turn for _, turn in made]).cumsum(0)
     wanted = turned(torch.stack([way for way, _ in made]), now)
     facing = torch.stack((now.sin(), now.cos()), -1)
@@ -324,15 +345,18 @@ def measures(walk: Clip, clip: Clip) -> dict[str, float]:
     way = roots.turn_to_local(contacts.velocities(roots.positions, walk.fps)).mean(0)
     toes = contacts.velocities(contacts.toes_of(walk), walk.fps).norm(dim=-1).amin(1)
     body, own = upper_body(walk), upper_body(clip)
-    seen = body
+    head, own_head, seen = up_of_head(walk), up_of_head(clip), body
     if walk is clip:
         own, seen = body.split((len(body) + 1) // 2)
+        own_head, head = head.split((len(body) + 1) // 2)
     return {
         "speed": pace(walk),
         "direction": math.degrees(math.atan2(float(way[0]), float(way[2]))),
         "steps": 2 * walk.fps / max(1, periodicity(walk)[1]),
         "slower foot": 100 * float(toes.mean()),
         "hips": 100 * float(walk.global_positions[:, walk.skeleton.role("hips"), 1].mean()),
+        "knees": math.degrees(bend(walk).mean()),
+        "head": math.degrees(R.angle(head.mean(0), own_head.mean(0))),
         "posture": 100 * float((seen.mean(0) - own.mean(0)).norm(dim=-1).mean()),
         "range": 100 * float(body.var(0).sum(-1).sqrt().mean()),
     }
@@ -343,3 +367,17 @@ def upper_body(clip: Clip) -> Tensor:
     skeleton = clip.skeleton
     joints = [*(skeleton.role(f"{side}_hand") for side in SIDES), *skeleton.trunk]
     return root_frames(clip).to_local(clip.global_positions[:, joints])
+
+
+def bend(clip: Clip) -> Tensor:
+    """Angles ``[F, 2]`` of the knees, radians: 0 if straight."""
+    joints = [[clip.skeleton.role(f"{side}_{part}") for side in SIDES]
+              for part in ("hip", "knee", "foot")]
+    hips, knees, feet = (clip.global_positions[:, pair] for pair in joints)
+    return R.angle(knees - hips, feet - knees)
+
+
+def up_of_head(clip: Clip) -> Tensor:
+    """The vertical ``[F, 3]`` as the head sees it: how it nods and leans, not where it looks."""
+    back = R.inverse(clip.global_rotations[:, clip.skeleton.neck[-1]])
+    return R.rotate(back, torch.tensor([0.0, 1.0, 0.0]).to(back))
