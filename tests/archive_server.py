@@ -31,7 +31,7 @@ class Server(http.server.ThreadingHTTPServer):
 
 class Handler(http.server.BaseHTTPRequestHandler):
     def do_GET(self):
-        """One of: whole, cut N, stall N, chunked N, unannounced, STATUS, 302 ADDRESS.
+        """One of: whole, shifted, cut N, stall N, chunked N, unannounced, STATUS, 302 ADDRESS.
 
         ``changed``: it has another file from now on.
         """
@@ -46,7 +46,7 @@ class Handler(http.server.BaseHTTPRequestHandler):
             server.content, server.tag = server.content[::-1], '"second"'
         data = server.content
         asked = re.fullmatch(r"bytes=(\d+)-", self.headers["Range"])
-        start = int(asked[1]) if server.ranges else 0
+        start = int(asked[1]) if server.ranges and deed != "shifted" else 0
         if start >= len(data):
             return self.refuse(416, {"Content-Range": f"bytes */{len(data)}"})
         self.send_response(206 if server.ranges else 200)

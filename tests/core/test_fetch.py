@@ -107,7 +107,7 @@ def test_fetched_data_is_found_without_a_root(root, server, capsys, members):
 
 
 @pytest.mark.parametrize("plan", [["cut 98304"], ["stall 98304"], ["500", "429"],
-                                  ["chunked 98304"], ["302 /elsewhere.zip"],
+                                  ["chunked 98304"], ["unannounced 98304"], ["302 /elsewhere.zip"],
                                   ["cut 16384"] * (download.TRIES + 2)])
 def test_a_bad_connection_is_tried_again(root, server, plan):
     server.plan.extend(plan)
@@ -229,6 +229,7 @@ def test_unpacking_goes_on_with_what_came_before_a_stop(root, server, monkeypatc
 
 @pytest.mark.parametrize(("plan", "changes", "problem"), [
     (["whole", "whole", "changed"], {}, "another file than before"),
+    (["whole", "shifted"], {}, "sends another part than bytes from [0-9]+ on: 'bytes 0-"),
     ([], {"ranges": False}, "the server sends the whole file only; leave --styles out"),
     ([], {"content": b"another"}, r"expected \d+ bytes, got 7"),
 ])

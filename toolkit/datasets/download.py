@@ -106,7 +106,10 @@ class RemoteFile(io.RawIOBase):
             try:
                 if self._body is None:
                     self._connect()
-                return self._body.read(most)
+                piece = self._body.read(most)
+                if piece or not most or self._position >= (self.size or 0):
+                    return piece
+                problem = "the connection ended before the file"
             except CUT as error:
                 problem = f"no connection, or it was cut ({type(error).__name__})"
             except requests.HTTPError as error:
@@ -148,9 +151,13 @@ class RemoteFile(io.RawIOBase):
     def _compare(self, reply: requests.Response) -> None:
         """Refuse another file than that of the answers before."""
         self.ranges = reply.status_code == 206
-        said = reply.headers.get("Content-Range", "").rpartition("/")[2] if self.ranges else (
-            reply.headers.get("Content-Length", ""))
-        size = int(said) if said.isdecimal() else None
+        part, _, said = reply.headers.get("Content-Range", "").rpartition("/")
+        if self.ranges and not part.startswith(f"bytes {self._position}-"):
+            raise ValueError(f"{self.url}: the server sends another part than bytes from "
+                             f"{self._position} on: {part!r:.60}")
+        if not self.ranges:
+            said = reply.headers.get("Content-Length", "")
+        size = int(said) if said.isdecimal() and len(said) < 20 else None
         tag = reply.headers.get("ETag")
         for before, now in ((self.size, size), (self._tag, tag)):
             if before is not None and now is not None and before != now:
@@ -196,15 +203,16 @@ def members(opened: zipfile.ZipFile, place: Callable[[str], str | None]
             ) -> dict[str, zipfile.ZipInfo]:
     """Members of an archive by the path to unpack them to, in the archive's order.
 
-    ``place`` gives that path from the name in the archive, or None to leave it out. ValueError if a
-    name leads out of the folder.
+    ``place`` gives that path from the name in the archive, or None to leave it out, as a name that
+    cannot be printed is. ValueError if a name leads out of the folder.
     """
     found: dict[str, zipfile.ZipInfo] = {}
     for info in sorted(opened.infolist(), key=lambda info: info.header_offset):
         path = PurePosixPath(info.filename)
         if path.is_absolute() or ".." in path.parts or any(c in info.filename for c in "\\:"):
             raise ValueError(f"the archive's member {info.filename!r} leads out of the folder")
-        if not info.is_dir() and (target := place(info.filename)) is not None:
+        file = info.filename.isprintable() and not info.filename.endswith("/")
+        if file and (target := place(info.filename)) is not None:
             found[target] = info
     return found
 

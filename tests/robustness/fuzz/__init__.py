@@ -22,7 +22,8 @@ import typer
 from experiments import tables
 
 TARGETS = {
-    "bvh": "BVH files, and the numbers in them", "csv": "tables of 100STYLE, `labels.csv`",
+    "bvh": "BVH files, and the numbers in them",
+    "csv": "archive and tables of 100STYLE, `labels.csv`",
     "gltf": "glTF, VRM, meshes", "fbx": "FBX", "npz": "NumPy motion files",
     "model": "models, checkpoints, stylizers, recognisers, published parameters", "store": "stores",
     "shot": "files of shots, splits", "cli": "command lines"}

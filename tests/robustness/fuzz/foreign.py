@@ -17,6 +17,7 @@ from toolkit.extra.formats import fbx, gltf, npz
 from toolkit.extra.formats.key_times import MOST
 from toolkit.io.recording import Recording
 
+ANIMATIONS = (None,) * 9 + (0, "0", 1, -1, "Walk", "", "9" * 5000, "\ud800", "a\nb", "²", True)
 
 def make(name: str, folder: Path) -> list[Reader]:
     """Readers of one format."""
@@ -47,6 +48,11 @@ def _checked(read: Callable[[Path], Recording]) -> Callable[[Path], None]:
         assert named <= set(made.names), "a joint that does not exist"
 
     return check
+
+
+def _animated(read: Callable) -> Callable[[Path], None]:
+    """`_checked`, of the first animation or of one that the file's bytes decide."""
+    return _checked(lambda path: read(path, random.Random(path.read_bytes()).choice(ANIMATIONS)))
 
 
 def _gltf(folder: Path) -> list[Reader]:
@@ -86,7 +92,7 @@ def _gltf(folder: Path) -> list[Reader]:
         return glb(document, bytes(body)).replace(b'"@deep"', mutations.DEEP.encode())
 
     deep = "^(?!.*(neither|expected glTF|JSON|cut off))"
-    return [Reader("gltf", folder / "a.glb", _checked(gltf.read), seeds, mutate, deep),
+    return [Reader("gltf", folder / "a.glb", _animated(gltf.read), seeds, mutate, deep),
             Reader("mesh", folder / "b.glb", _whole_mesh, (_skinned(),), mutate, deep)]
 
 
@@ -147,7 +153,7 @@ def _fbx(folder: Path) -> list[Reader]:
         return mutations.flipped(rng, data, in_place=rng.random() < 0.9)
 
     deep = "^(?!.*(it is no FBX|only binary))"
-    return [Reader("fbx", folder / "a.fbx", _checked(fbx.read), seeds, mutate, deep)]
+    return [Reader("fbx", folder / "a.fbx", _animated(fbx.read), seeds, mutate, deep)]
 
 
 def _npz(folder: Path) -> list[Reader]:

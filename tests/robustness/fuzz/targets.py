@@ -3,11 +3,14 @@
 import contextlib
 import copy
 import functools
+import hashlib
 import io
 import itertools
 import json
 import random
+import shutil
 import warnings
+import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 from unittest import mock
@@ -18,10 +21,11 @@ from robustness.fuzz import Reader, foreign, mutations
 from typer.core import TyperCommand
 
 from toolkit import datasets, features, networks, runtime, training
-from toolkit.datasets import folder as own, procedural, published_files, style100
+from toolkit.datasets import fetch, folder as own, procedural, published_files, style100
 from toolkit.evaluation.recognition import Recogniser
 from toolkit.extra import shots, store
 from toolkit.io import bvh, decimals
+from toolkit.io.files import named
 from toolkit.networks.bank import StyleBank
 from toolkit.stylization import networks as stylizers
 from toolkit.stylization.graph import SkeletonGraph
@@ -141,10 +145,26 @@ def _csv(folder: Path) -> list[Reader]:
     (folder / "labels.csv").write_text("\n".join(("file,style,gait,unit,up", *rows)))
     tables = {"Frame_Cuts.csv": style100.frame_cuts, "Dataset_List.csv": style100.styles,
               "labels.csv": own.labelled}
-    return [Reader(name, folder / name, lambda path, table=table: table(path.parent),
-                   ((folder / name).read_bytes(),),
-                   mutations.text, r"line (?!1:)|no row|no frame")
-                   for name, table in tables.items()]
+    archive, whole = folder / "100STYLE.zip", io.BytesIO()
+    with zipfile.ZipFile(whole, "w", zipfile.ZIP_DEFLATED) as packed:
+        for path in sorted(folder.iterdir()):
+            packed.write(path, f"100STYLE/{path.name}")
+
+    def one_style(path: Path) -> None:
+        """One style out of an archive; its file must be the one that was packed."""
+        into, known = folder / "unpacked", hashlib.sha256(path.read_bytes()).hexdigest()
+        shutil.rmtree(into, ignore_errors=True)
+        with named(str(path)):
+            fetch.fetch("100style", into, path, known, styles=["ProceduralOld"])
+        for found in into.rglob("*Old_FW.bvh"):
+            assert found.read_bytes() == (folder / found.name).read_bytes(), "another file"
+
+    return [*(Reader(name, folder / name, lambda path, table=table: table(path.parent),
+                     ((folder / name).read_bytes(),),
+                     mutations.text, r"line (?!1:)|no row|no frame")
+              for name, table in tables.items()),
+            Reader("archive", archive, one_style, (whole.getvalue(),), mutations.flipped,
+                   "^(?!.*not a whole)")]
 
 
 def _model(folder: Path) -> list[Reader]:
