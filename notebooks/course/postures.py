@@ -1,5 +1,6 @@
-"""How a body holds itself, in five numbers."""
+"""How a body holds itself: five numbers, and the part of it that is unusual."""
 
+import torch
 from torch import Tensor
 
 from toolkit.features import Layout
@@ -26,3 +27,20 @@ def posture(layout: Layout, positions: Tensor) -> dict[str, Tensor]:
         "step_length": stride.quantile(0.95, 0),
         "bone_stretch": stretch.mean((0, -1)),
     }
+
+
+PARTS = {"arms": ("Collar", "Shoulder", "Elbow", "Wrist"),
+         "legs": ("RightHip", "LeftHip", "Knee", "Ankle", "Toe"), "trunk": ("",)}
+
+
+def part(layout: Layout, poses: Tensor) -> list[str]:
+    """The part of the body (``arms``, ``legs``, ``trunk``) in which each mean pose is unusual.
+
+    For each part, it is the distance of ``poses [S, 3 J]`` from their mean, over the mean of this
+    distance in all poses. So arms, which differ by much in every style, do not always win.
+    """
+    of = [next(name for name, words in PARTS.items() if any(word in joint for word in words))
+          for joint in layout.names]
+    away = (poses - poses.mean(0)).unflatten(1, (-1, 3)).norm(dim=2)
+    each = torch.stack([away[:, [name == x for x in of]].mean(1) for name in PARTS], 1)
+    return [list(PARTS)[k] for k in (each / each.mean(0)).argmax(1).tolist()]

@@ -104,9 +104,12 @@ RIGHT["05.1"] = [
     lambda a, b, v: torch.linalg.lstsq((b - a)[:, None], (v - a)[:, None]).solution[0, 0],
 ]
 RIGHT["05.2"] = [
-    lambda vectors, query: (
-        (vectors - vectors[query]).square().sum(1).topk(2, largest=False).indices[1]
-    ),
+    ((0, 0), (0, 1), (0, 1.5)), [[5, 5], [1, 1], [0, 0]], torch.tensor([[9., 0], [0, 0], [0, 8]]),
+    ((-3, 4), (0, 0), (1, -1)),
+]
+WRONG["05.2"] = [
+    ((0, 0), (1, 0), (2, 0)), ((0, 0), (2, 0), (-1, 0)), ((0, 0), (1, 0), (3, 0)),
+    ((0,), (2,), (3,)), ((0, 0), (2, 0)), ((1, 1), (1, 1), (1, 1)), ((3, 0), (2, 0), (0, 0)),
 ]
 RIGHT["05.3"] = [lambda length, angle: length * ((1 + angle.cos()) / 2).sqrt()]
 RIGHT["06.1"] = [

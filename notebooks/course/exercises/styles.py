@@ -2,8 +2,6 @@
 restyling.
 """
 
-import math
-
 import torch
 from course import plane
 from course.checks import Exercise, draws, equals, same_as, shows
@@ -37,16 +35,14 @@ def _place(first, second, vector):
     return (vector - first) @ way / (way @ way)
 
 
-def _nearest(vectors, query, order=2.0):
-    distance = torch.linalg.vector_norm(vectors - vectors[query], order, dim=1)
-    distance[query] = math.inf
-    return int(distance.argmin())
+def _three(vectors) -> torch.Tensor:
+    return torch.stack([torch.as_tensor(vector).double() for vector in vectors])
 
 
-def _rows() -> list[tuple]:
-    # the last one has another neighbour by the sum of the absolute differences
-    return [(*draws(5, (6, 4)), query) for query in (0, 3, 5)] + [
-        (torch.tensor([[0.0, 0.0], [3.0, 3.0], [0.0, 5.0]]), 0)]
+def _nearer(vectors, query: int, near: int, far: int) -> bool:
+    """Whether the vector ``near`` is nearer to the query than ``far`` is."""
+    query, near, far = _three(vectors)[[query, near, far]]
+    return float((near - query).norm()) < float((far - query).norm())
 
 
 def _better_than_nothing(errors: dict) -> bool:
@@ -122,19 +118,13 @@ EXERCISES = {
         "with itself.",
     ),
     "05.2": Exercise(
-        same_as(
-            _nearest, _rows,
-            {
-                "this is the query itself: its distance is 0.": lambda vectors, query: query,
-                "this is the farthest vector.": lambda vectors, query: int(
-                    (vectors - vectors[query]).norm(dim=1).argmax()
-                ),
-                "add up squares, not absolute differences.":
-                    lambda vectors, query: _nearest(vectors, query, 1.0),
-            },
+        shows(
+            ("give three vectors of two numbers", lambda three: _three(three).shape == (3, 2)),
+            ("the nearest to `a` is not `b`", lambda three: _nearer(three, 0, 1, 2)),
+            ("the nearest to `b` is `a`, too", lambda three: _nearer(three, 1, 2, 0)),
         ),
-        "which vector has the distance zero, and may it be the answer?",
-        "the distances of all rows from the query's; replace its own by infinity; argmin.",
+        "where must a third vector be, so that b has a nearer neighbour than a?",
+        "put the three on a line: a, then b, and c on the far side of b, closer to b.",
     ),
     "05.3": Exercise(
         same_as(
