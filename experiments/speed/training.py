@@ -88,8 +88,8 @@ def _times(data: Features, repeats: int) -> None:
 
     In its turn each makes two steps, and the second is timed: the first one gets the memory.
     """
-    model = networks.build("lpn-film", data.layout, len(STYLES), None,
-                           networks.normalisers("lpn-film", data)).train()
+    model = networks.build("lpn-film", data.layout, len(STYLES)).train()
+    model.normalise(networks.normalisers(model.layout, data))
     count = sum(p.numel() for p in model.parameters())
     seconds: dict[str, list[float]] = {name: [] for name in FORMS}
     flops, optimisers = {}, {}

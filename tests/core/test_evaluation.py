@@ -23,7 +23,9 @@ def data(two_styles):
 
 def build(name: str, data: tk.features.Features) -> networks.Model:
     torch.manual_seed(0)
-    return networks.build(name, data.layout, 2, TINY, networks.normalisers(name, data))
+    model = networks.build(name, data.layout, 2, TINY)
+    model.normalise(networks.normalisers(model.layout, data))
+    return model
 
 
 def test_the_global_phase_is_the_right_feet_of_a_walk():
@@ -64,7 +66,8 @@ def test_observing_keeps_shared_columns_and_makes_the_phase_the_models_own(data)
 
 @pytest.mark.parametrize("name", networks.MODELS)
 def test_statistics_are_those_of_the_models_own_columns(data, name):
-    model, found = build(name, data), networks.normalisers(name, data)
+    model = build(name, data)
+    found = networks.normalisers(model.layout, data)
     z = torch.cat([model.observe(data.phases[s], data.outputs[s])[1] for s in data.styles]).double()
     torch.testing.assert_close(found["outputs"].mean, z.mean(0).float(), rtol=1e-5, atol=1e-6)
     deviation = z.std(0, correction=0)

@@ -73,8 +73,8 @@ def test_hands_that_swing_together_or_in_turn_or_not_at_all(data):
 def test_the_shared_error_of_a_model_that_predicts_the_mean(data):
     train, test = tk.training.split(data, 0.1, 0, tuple(data.styles))
     scale = train.normalisers()["outputs"]
-    normalisers = tk.networks.normalisers("pfnn-resad", train)
-    model = tk.networks.build("pfnn-resad", data.layout, 3, models.SIZES["tiny"], normalisers)
+    model = tk.networks.build("pfnn-resad", data.layout, 3, models.SIZES["tiny"])
+    model.normalise(tk.networks.normalisers(model.layout, train))
     bank = tk.training.make_bank(model, train)
     torch.nn.init.zeros_(model.experts.layers[-1].weight)
     error = models.average(list(comparison.shared_error(model, bank, test, scale).values()))

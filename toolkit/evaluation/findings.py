@@ -16,7 +16,7 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import Clip, contacts, rotations as R
-from toolkit.motion.roles import SIDES
+from toolkit.motion.roles import ROLES, SIDES
 
 STEP = 1 / 30  # seconds between the positions of an acceleration or a jerk, at every rate
 RUNNING = 1.6  # m/s of the hips, over half a second, from which the limits of runs hold
@@ -27,8 +27,6 @@ ALIKE = 0.3  # largest speed of the toes from the hips, over that of the hips, o
 LIFTED = 0.1  # metres above the other: a foot that does not stand at all
 JOIN = 0.2  # seconds between two moments of one finding
 POINTS = 6  # of a bone, between which distances are measured
-ROLES = "hips", *(f"{side}_{part}" for side in SIDES for part in
-                  ("shoulder", "elbow", "hand", "hip", "knee", "foot", "toe"))
 
 #: Kind of defect: part of the body: limit of walks, limit of runs. That of drift is ours, because
 #: nobody in the recordings glides.

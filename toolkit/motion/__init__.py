@@ -1,9 +1,5 @@
 """Motion data: rotations, skeleton and clip, root trajectory, foot contacts, inverse kinematics."""
 
-import pkgutil
-
-import lazy_loader
-
 from toolkit import registry
 from toolkit.motion import contacts, ik, rotations, trajectory
 
@@ -14,5 +10,4 @@ from toolkit.motion.clip import Clip, RootFrames, on_cpu, root_frames  # isort: 
 __all__ = ["ROLES", "Clip", "RootFrames", "Skeleton", "contacts", "find_roles",
            "forward_kinematics", "ik", "local_rotations", "on_cpu", "root_frames",
            "rotations", "trajectory"]
-__getattr__ = registry.attributes(__name__, lazy_loader.attach(
-    __name__, [module.name for module in pkgutil.iter_modules(__path__)])[0])
+__getattr__ = registry.attributes(__name__)

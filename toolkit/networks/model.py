@@ -77,11 +77,7 @@ class Model(Predictor):
             "style_size": self.style_size, "generator": self.generator is not None,
         })  # fmt: skip
 
-    def forward(self, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:
-        """Output frames ``[B, Dz]``; all normalised.
-
-        ``x [B, Dx]``, ``phases [B, n_phases]``, ``style [B or 1, D]``.
-        """
+    def forward(self, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:  # noqa: D102
         gates = self.gating(phases, x)
 
         def modulate(layer: int, f: Tensor, inputs: Tensor) -> Tensor:
@@ -98,24 +94,9 @@ class Model(Predictor):
         return self.sizes.dropout / (1 - self.sizes.dropout)
 
     def encode(self, clips: Tensor | None, style: int | Tensor | None = None) -> Tensor:
-        """Style vectors.
+        """Style vectors ``[M, D]``: of clips by FiLM's generator (equation 2), or of numbers.
 
-        Parameters
-        ----------
-        clips : Tensor [M, 240, 12 J]
-            Normalised style clips, from which FiLM's generator computes vectors (equation 2).
-        style
-            The style's number, or numbers ``[M]``, which models with a table of styles look up.
-
-        Returns
-        -------
-        Tensor [M, D]
-            One per clip, or per number.
-
-        Raises
-        ------
-        ValueError
-            If the model has neither generator nor table, or the table does not have the style.
+        ValueError if the model has neither, or the table does not have the style.
         """
         if self.generator is None:
             source = "FiLM generator" if isinstance(self.modulation, Film) else "table of styles"

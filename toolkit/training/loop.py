@@ -102,8 +102,9 @@ def fit(data: Features, config: Config | None = None,
 
     # model and optimiser, new or from the checkpoint
     with seeded(fabric.device, config.seed, INIT):
-        model = networks.build(config.model, data.layout, len(styles), config.sizes,
-                               networks.normalisers(config.model, train)).to(fabric.device)
+        model = networks.build(config.model, data.layout, len(styles), config.sizes)
+    model.normalise(networks.normalisers(model.layout, train))
+    model = model.to(fabric.device)
     batches = Minibatches(train, config.batch, config.clips_per_batch, config.seed,
                           config.pose_mixup, model.memory)
     if batches.fewest < fabric.world_size:

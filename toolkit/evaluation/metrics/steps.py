@@ -29,8 +29,8 @@ def foot_skate(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
     ValueError
         If the contacts do not have the clip's frames.
     """
-    low = contacts.detect(clip, height=contacts.HEIGHT, speed=math.inf)
-    contact = low if contact is None else _checked(clip, contact)
+    contact = (contacts.detect(clip, height=contacts.HEIGHT, speed=math.inf) if contact is None
+               else _checked(clip, contact))
     speeds = contacts.velocities(contacts.toes_of(clip), clip.fps).norm(dim=-1)
     return {side: float(speeds[contact[:, i] > 0.5, i].mean()) for i, side in enumerate(FEET)}
 
