@@ -63,7 +63,7 @@ class OwnFeatures:
         there = self.phases[after]
         return self.layout.pack_output(
             trajectory=torch.cat((positions, directions), -1).flatten(1),
-            joints=_seen_from(self.joints[after], positions[:, 0], directions[:, 0]),
+            joints=seen_from(self.joints[after], positions[:, 0], directions[:, 0]),
             phases=there, phase_updates=there - self.phases[at], contacts=self.contacts[after],
         )
 
@@ -76,8 +76,11 @@ class OwnFeatures:
         return self.joints[first + torch.arange(CLIP_FRAMES, device=spans.device) % frames]
 
 
-def _seen_from(block: Tensor, position: Tensor, direction: Tensor) -> Tensor:
-    """Joint block ``[N, 12 J]`` in a frame in which its root has this place and direction."""
+def seen_from(block: Tensor, position: Tensor, direction: Tensor) -> Tensor:
+    """Joint block ``[N, 12 J]`` in a frame in which its root has this place and direction.
+
+    Both are (x, z) ``[N, 2]``.
+    """
     x, y, z = block.unflatten(-1, (-1, len(CHANNELS), 3)).unbind(-1)
     sin, cos = direction[:, :, None, None].unbind(1)
     seen = torch.stack((cos * x + sin * z, y, cos * z - sin * x), -1)

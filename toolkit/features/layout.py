@@ -1,7 +1,8 @@
 """The columns of x, z and y (Mason et al. 2022, section 3.2); no other module defines columns."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from functools import cached_property
 from itertools import accumulate
 from typing import Any
 
@@ -47,8 +48,6 @@ class Layout:
     phase: str = "local"
     samples: tuple[int, ...] = trajectory.SAMPLES
     phase_limbs: tuple[str, ...] = phases.LIMBS
-    inputs: dict[str, slice] = field(init=False)
-    outputs: dict[str, slice] = field(init=False)
 
     def __post_init__(self):
         if self.phase not in PHASES:
@@ -62,13 +61,6 @@ class Layout:
                              f"ones, 0, future ones; got {list(offsets)}")
         object.__setattr__(self, "samples", offsets)
         object.__setattr__(self, "phase_limbs", checked(self.phase_limbs, "a limb of the phases"))
-        joints = 12 * len(self.skeleton.feature_joints)
-        widths_in = {"trajectory": 4 * len(offsets), "joints": joints}
-        widths_out = {"trajectory": 4 * len(self.ahead), "joints": joints}
-        widths_out |= dict.fromkeys(PHASES[self.phase], self.n_phases)
-        widths_out["contacts"] = len(contacts.FEET)
-        object.__setattr__(self, "inputs", _slices(widths_in))
-        object.__setattr__(self, "outputs", _slices(widths_out))
 
     def __repr__(self) -> str:
         return summary(self, {"inputs": self.n_inputs, "outputs": self.n_outputs,
@@ -101,6 +93,18 @@ class Layout:
         if self.phase_limbs != other.phase_limbs:
             return f"its phases are of {', '.join(self.phase_limbs)}"
         return ""
+
+    @cached_property
+    def inputs(self) -> dict[str, slice]:
+        """Columns of the blocks of x."""
+        return _slices({"trajectory": 4 * len(self.samples), "joints": self.n_clip})
+
+    @cached_property
+    def outputs(self) -> dict[str, slice]:
+        """Columns of the blocks of z."""
+        phase = dict.fromkeys(PHASES[self.phase], self.n_phases)
+        return _slices({"trajectory": 4 * len(self.ahead), "joints": self.n_clip, **phase,
+                        "contacts": len(contacts.FEET)})
 
     @property
     def behind(self) -> tuple[int, ...]:

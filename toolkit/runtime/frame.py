@@ -12,14 +12,14 @@ from collections.abc import Sequence
 import torch
 from torch import Tensor
 
-from toolkit.features import Layout, pack_joints, split_joints
+from toolkit.features import Layout, pack_joints, seen_from, split_joints
 from toolkit.motion import local_rotations, rotations as R, trajectory
 from toolkit.motion.ik import foot_lock, plant_feet, solve_legs, turn_arms
 from toolkit.motion.skeleton import FEET
 from toolkit.motion.tensors import as_tensor, shown
 from toolkit.networks.phase import advance, initial_pose
 from toolkit.runtime.state import CharacterState, Remembering, vectors_of
-from toolkit.runtime.steering import Command, standing, steer, turn, unit
+from toolkit.runtime.steering import Command, standing, steer, turn
 
 FPS = trajectory.FPS
 STANDS = 0.9  # share of standing (`steering.standing`) from which feet stay on the ground
@@ -66,7 +66,7 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
         raise ValueError(f"style needs {size} columns, got shape {list(style.shape)}")
 
     # The root, alike for all past and future frames.
-    place, look = _pairs(position, "position", style), unit(_pairs(facing, "facing", style))
+    place, look = _pairs(position, "position", style), R.normalize(_pairs(facing, "facing", style))
     root = torch.cat((place, look), -1)
     if not root.is_meta and not bool(root.isfinite().all() & look.any(-1).all()):
         raise ValueError(
@@ -149,14 +149,14 @@ def predicted(model, state: CharacterState, command: Command) -> CharacterState:
     # Root: a character that is to stand stops walking first, and stops turning once it looks into
     # the commanded direction.
     path = out["trajectory"].unflatten(-1, (-1, 4))
-    path = _to_world(torch.cat((path[..., :2], unit(path[..., 2:])), -1), root)
+    path = _to_world(torch.cat((path[..., :2], R.normalize(path[..., 2:])), -1), root)
     stand = standing(steered, root)
     place = torch.lerp(path[:, 0, :2], root[:, :2], steered.rest)
     new_root = torch.cat((place, turn(path[:, 0, 2:], root[:, 2:], stand[:, 0])), -1)
 
     # Future trajectory: a blend of the prediction and the one before, from the new root on.
     ahead = torch.lerp(future, path, CORRECTION)
-    ahead = torch.cat((ahead[..., :2], unit(ahead[..., 2:])), -1)
+    ahead = torch.cat((ahead[..., :2], R.normalize(ahead[..., 2:])), -1)
     ahead = torch.cat((new_root[:, None], ahead[:, 1:]), 1)
 
     # Contacts: a foot on the ground stays there while the character stands.
@@ -249,15 +249,7 @@ def pose(
 
 def world_joints(layout: Layout, state: CharacterState) -> dict[str, Tensor]:
     """The pose's position, forward, up and velocity in the world, each ``[B, J, 3]``."""
-    turn, floor = _placed(state.root)
-    world = {name: R.rotate(turn, values) for name, values in split_joints(state.joints).items()}
-    return world | {"position": world["position"] + floor}
-
-
-def _placed(root: Tensor) -> tuple[Tensor, Tensor]:
-    """Rotation ``[B, 1, 4]`` and place on the floor ``[B, 1, 3]`` of the root in the world."""
-    floor = torch.stack((root[:, 0], torch.zeros_like(root[:, 0]), root[:, 1]), -1)
-    return R.yaw(torch.atan2(root[:, 2], root[:, 3]))[:, None], floor[:, None]
+    return split_joints(seen_from(state.joints, *state.root.split(2, -1)))
 
 
 def _with_legs(layout: Layout, state: CharacterState) -> CharacterState:
@@ -268,7 +260,7 @@ def _with_legs(layout: Layout, state: CharacterState) -> CharacterState:
     skeleton, world = layout.skeleton, world_joints(layout, state)
     turned = R.from_forward_up(world["forward"], world["up"])
     joints = {j: i for i, j in enumerate(skeleton.feature_joints)}
-    solved, drop, toes = solve_legs(
+    legs, drop, toes = solve_legs(
         skeleton,
         lambda above: turned[:, [joints[j] for j in above]],
         world["position"][:, 0],
@@ -279,11 +271,12 @@ def _with_legs(layout: Layout, state: CharacterState) -> CharacterState:
     )
 
     # The legs' positions, seen from the root.
-    parts, (turn, floor) = split_joints(state.joints), _placed(state.root)
+    x, z, sin, cos = state.root.unbind(-1)
+    floor = torch.stack((x, torch.zeros_like(x), z), -1)[:, None]
+    back = R.inverse(R.yaw(torch.atan2(sin, cos)))[:, None]
+    parts = split_joints(state.joints)
     position = parts["position"].clone()
-    for part, places in zip(("knee", "foot", "toe"), solved, strict=True):
-        at = [joints[skeleton.role(f"{side}_{part}")] for side in FEET]
-        position[:, at] = R.rotate(R.inverse(turn), places - floor)
+    position[:, leg_joints(layout)] = R.rotate(back, torch.stack(legs, 2).flatten(1, 2) - floor)
     return dataclasses.replace(
         state, joints=pack_joints(**parts | {"position": position}), drop=drop, toes=toes
     )
@@ -291,9 +284,7 @@ def _with_legs(layout: Layout, state: CharacterState) -> CharacterState:
 
 def predicted_toes(layout: Layout, state: CharacterState) -> Tensor:
     """World positions ``[B, 2, 3]`` of the right and left toe in the pose."""
-    toes = [layout.names.index(layout.skeleton.roles[f"{side}_toe"]) for side in FEET]
-    turn, floor = _placed(state.root)
-    return R.rotate(turn, split_joints(state.joints)["position"][:, toes]) + floor
+    return world_joints(layout, state)["position"][:, leg_joints(layout)[2::3]]
 
 
 def _matrix(root: Tensor) -> Tensor:
@@ -317,16 +308,11 @@ def _to_local(samples: Tensor, root: Tensor) -> Tensor:
 
 def _orthonormal(joints: Tensor) -> Tensor:
     parts = split_joints(joints)
-    forward = unit(parts["forward"])
-    up = unit(parts["up"] - (parts["up"] * forward).sum(-1, keepdim=True) * forward)
+    forward = R.normalize(parts["forward"])
+    up = R.normalize(parts["up"] - (parts["up"] * forward).sum(-1, keepdim=True) * forward)
     return pack_joints(**parts | {"forward": forward, "up": up})
 
 
 def to_frame(joints: Tensor, old: Tensor, new: Tensor) -> Tensor:
     """A pose in the root frame ``old`` seen from the root frame ``new`` (world, ``[B, 4]``)."""
-    parts = split_joints(joints)
-    turn = R.yaw(torch.atan2(old[:, 2], old[:, 3]) - torch.atan2(new[:, 2], new[:, 3]))[:, None]
-    shift = _to_local(old[:, None], new)[:, 0]
-    origin = torch.stack((shift[:, 0], torch.zeros_like(shift[:, 0]), shift[:, 1]), -1)[:, None]
-    moved = {name: R.rotate(turn, values) for name, values in parts.items()}
-    return pack_joints(**moved | {"position": moved["position"] + origin})
+    return seen_from(joints, *_to_local(old[:, None], new)[:, 0].split(2, -1))

@@ -74,9 +74,7 @@ def rollout(
         Motion on the model's whole skeleton, with constant bone lengths.
     """
     life = getattr(model, "life", 0.0) if life is None else life
-    recorded = list(states(model, commands, style, first, progress, life, seed))
-    if not recorded:
-        raise ValueError("no commands to roll out")
+    recorded = states(model, commands, style, first, progress, life, seed)
     return record(model, recorded, feet=ik, arms=ik)
 
 

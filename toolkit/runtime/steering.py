@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import torch
 from torch import Tensor
 
-from toolkit.motion import trajectory
+from toolkit.motion import rotations as R, trajectory
 from toolkit.motion.tensors import as_tensor, shown, summary
 from toolkit.runtime.state import CharacterState
 
@@ -163,7 +163,7 @@ def direction_controller(state: CharacterState, velocity: Tensor) -> tuple[Tenso
     """
     # The lateral velocity, positive to the left.
     asked = torch.lerp(state.asked, velocity, ASKED)
-    heading = unit(velocity)
+    heading = R.normalize(velocity)
     left = torch.stack((heading[:, 1], -heading[:, 0]), -1)
     lateral = ((_moved(state, -1) - asked) * left).sum(-1, keepdim=True)
 
@@ -197,7 +197,7 @@ def speed_controller(state: CharacterState, velocity: Tensor) -> Tensor:
     Its gains grow with the drive. So a command is in m/s for every model and style. Without the
     proportional part some styles alternate between walk and run, or stay in a run.
     """
-    wanted, heading = velocity.norm(dim=-1, keepdim=True), unit(velocity)
+    wanted, heading = velocity.norm(dim=-1, keepdim=True), R.normalize(velocity)
 
     def lag(now: int) -> Tensor:
         reached = (_moved(state, now) * heading).sum(-1, keepdim=True)
@@ -233,7 +233,7 @@ def straight(
         )
     if seconds > LONGEST:
         raise ValueError(f"commands are for at most {LONGEST:g} seconds, got {seconds:g}")
-    forward = unit(as_tensor(facing, "facing", torch.float64))
+    forward = R.normalize(as_tensor(facing, "facing", torch.float64))
     if not forward.any():
         raise ValueError("facing is the direction of the walk, and must not be zero")
     command = Command(tuple((speed * forward).tolist()), tuple(forward.tolist()))
@@ -299,11 +299,6 @@ def towards(state: CharacterState, goal: Tensor, facing: Tensor, speed: float | 
     velocity = (goal.to(state.root) - state.root[:, :2]) / LOOKAHEAD
     fast = velocity.norm(dim=-1, keepdim=True).clamp_min(1e-6)
     return Command(velocity * (1.5 * speed / fast).clamp(max=1.0), facing)
-
-
-def unit(v: Tensor) -> Tensor:
-    """Vectors ``[..., n]`` at length 1."""
-    return torch.nn.functional.normalize(v, dim=-1)
 
 
 def turn(a: Tensor, b: Tensor, share: Tensor | float, most: float = math.inf) -> Tensor:

@@ -13,7 +13,7 @@ import torch
 from torch import Tensor, nn
 
 from toolkit.features.splits import generator
-from toolkit.motion import Clip, Skeleton, local_rotations, on_cpu, root_frames, rotations as R
+from toolkit.motion import Clip, Skeleton, local_rotations, root_frames, rotations as R
 from toolkit.motion.tensors import summary
 from toolkit.motion.trajectory import heading
 from toolkit.stylization.graph import SkeletonGraph
@@ -128,7 +128,7 @@ def prepare(clip: Clip, skeleton: Skeleton | None = None) -> Clip:
 
     ValueError unless it has the joints and bones of ``skeleton``, if one is given.
     """
-    clip = on_cpu(clip)[0].without_ends().resample(FPS)
+    clip = clip.to("cpu", torch.float32).without_ends().resample(FPS)
     own = clip.skeleton
     if skeleton is None:
         return clip

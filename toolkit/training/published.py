@@ -11,7 +11,7 @@ from pathlib import Path
 
 import torch
 
-from toolkit import features, phases
+from toolkit import features
 from toolkit.datasets import home, published_files as parameters
 from toolkit.datasets.procedural import SKELETON
 from toolkit.features import Layout, Normaliser
@@ -197,4 +197,4 @@ def frames_of(layout: Layout, clip: Clip, frames: tuple[int, int | None]) -> fea
     stop = len(clip) if stop is None else min(stop, len(clip))
     first = max(0, start + samples[0])
     clip = clip.cut(first, min(len(clip), stop + samples[-1] + 1))
-    return features.frames(clip, phases.extract(clip), start - first, stop - first, samples)
+    return features.frames(clip, None, start - first, stop - first, samples)
