@@ -252,7 +252,7 @@ def test_what_cannot_be_learnt_is_refused_in_one_line(small_run, crouch):
         (small_run.model, crouch, "Zombie", "vector", "the bank has Zombie already"),
         (small_run.model, crouch, "Mine", "magic", "unknown method 'magic'; known: generator, vec"),
         (slim, crouch, "Mine", "generator", "needs a FiLM generator, and this model has none"),
-        (small_run.model, crouch.without_ends(), "Mine", None, "not the model's skeleton; it diff"),
+        (small_run.model, crouch.without_ends(), "Mine", None, "its joints differ, compared"),
         (small_run.model, crouch.cut(0, 111), "Mine", None, "no clip of 112 frames"),
     ):
         with pytest.raises(ValueError, match=said):

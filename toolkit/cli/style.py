@@ -78,8 +78,7 @@ def add(
         for clip in shown:
             if (why := not_a_walk(clip)) and not anyway:
                 raise ValueError(f"{clip.name}: {why}; no style was learnt (--anyway learns it)")
-        best = learn(network, bank, shown, name, steps=steps, seed=seed, anyway=anyway,
-                     progress=True)
+        best = learn(network, bank, shown, name, steps=steps, seed=seed, progress=True)
         _report(best.made, name)
         say(str(best.compared))
         say(told(best.compared.clips["style"]))

@@ -5,7 +5,6 @@ A frame of a character uses them in this order: `foot_lock` says where the toes 
 short. For a drawn pose, `turn_arms` and `plant_feet` turn bones of a skeleton.
 """
 
-from collections.abc import Callable
 from itertools import pairwise
 
 import torch
@@ -161,9 +160,8 @@ def sink(drop: Tensor, hips: Tensor, ankles: Tensor, length: Tensor, contacts: T
     return torch.stack((need + above.clamp_min(0.0), speed), -1)
 
 
-def solve_legs(skeleton: Skeleton, turned: Callable[[list[int]], Tensor], root: Tensor,
-               toes: Tensor, contacts: Tensor, drop: Tensor,
-               seconds: float) -> tuple[list[Tensor], Tensor, Tensor]:
+def solve_legs(skeleton: Skeleton, turned: Tensor, root: Tensor, toes: Tensor, contacts: Tensor,
+               drop: Tensor, seconds: float) -> tuple[list[Tensor], Tensor, Tensor]:
     """Bend predicted legs so that toes meet their targets, and let the hips sink (§ 4.4).
 
     The legs that are fed back to the network hang from the predicted hips, the drawn ones from hips
@@ -172,8 +170,7 @@ def solve_legs(skeleton: Skeleton, turned: Callable[[list[int]], Tensor], root: 
 
     Parameters
     ----------
-    turned
-        The predicted world rotations ``[..., K, 4]`` of K joints by their indices.
+    turned : Tensor [..., J, 4], the predicted rotations in the world
     root : Tensor [..., 3], the root's position in the world, metres
     toes : Tensor [..., 2, 3], the targets in the world, right and left
     contacts, drop, seconds
@@ -187,10 +184,9 @@ def solve_legs(skeleton: Skeleton, turned: Callable[[list[int]], Tensor], root: 
     """
     # Predicted positions of the legs' joints, from the root down. Feet keep their orientation, so
     # that a toe at its target has its ankle at ``target``.
-    pairs = _pairs(skeleton, "hip", "knee", "foot", "toe")
-    legs = sorted({j for end in pairs[-1] for j in (end, *skeleton.ancestors(end))} - {0})
+    pairs, legs = _pairs(skeleton, "hip", "knee", "foot", "toe"), leg_chain(skeleton)
     above, places = [skeleton.parents[j] for j in legs], {0: root}
-    bones = R.rotate(turned(above), skeleton.offsets[legs].to(root)).unbind(-2)
+    bones = R.rotate(turned[..., above, :], skeleton.offsets[legs].to(root)).unbind(-2)
     for j, parent, bone in zip(legs, above, bones, strict=True):
         places[j] = places[parent] + bone
     a, b, c, toe = (torch.stack([places[j] for j in pair], -2) for pair in pairs)
@@ -216,14 +212,8 @@ def turn_arms(skeleton: Skeleton, rotations: Tensor, root: Tensor, wanted: Tenso
     ``rotations [..., J, 4]`` are local, ``root [..., 3]`` is the root's position and ``wanted [...,
     J, 3]`` are predicted positions in the world, metres; only rows of arm joints are read.
     """
-    # Both arms from the collar outwards, to the End Site of the hand where there is one.
     turned, positions = forward_kinematics(skeleton, rotations, root)
-    arms = _pairs(skeleton, "shoulder", "elbow", "hand")
-    chain = [[skeleton.parents[joint] for joint in arms[0]], *arms]
-    ends = [skeleton.end_site(f"{side}_hand") for side in FEET]
-    if not set(ends) & set(arms[-1]):
-        chain.append(ends)
-    for joints, children in pairwise(chain):
+    for joints, children in arm_bones(skeleton):
         bone = R.rotate(turned[..., joints, :], skeleton.offsets[children].to(rotations))
         aim = R.between(bone, wanted[..., children, :] - positions[..., joints, :])
         turned[..., joints, :] = R.multiply(aim, turned[..., joints, :])
@@ -245,6 +235,25 @@ def plant_feet(skeleton: Skeleton, rotations: Tensor, root: Tensor, toes: Tensor
     for joints, aim in zip(legs, turn, strict=False):
         turned[..., joints, :] = R.multiply(aim, turned[..., joints, :])
     return _ends_follow(skeleton, turned)
+
+
+def leg_chain(skeleton: Skeleton) -> list[int]:
+    """All points from the root to the toes, without the root; parents come before children."""
+    toes = [skeleton.role(f"{side}_toe") for side in FEET]
+    return sorted({j for toe in toes for j in (toe, *skeleton.ancestors(toe))} - {0})
+
+
+def arm_bones(skeleton: Skeleton) -> list[tuple[list[int], list[int]]]:
+    """Joints of both arms and the points at their bones' other ends, from the collars outwards.
+
+    The last ones are the End Sites of the hands, where there are any.
+    """
+    arms = _pairs(skeleton, "shoulder", "elbow", "hand")
+    chain = [[skeleton.parents[joint] for joint in arms[0]], *arms]
+    ends = [skeleton.end_site(f"{side}_hand") for side in FEET]
+    if not set(ends) & set(arms[-1]):
+        chain.append(ends)
+    return list(pairwise(chain))
 
 
 def _left(hips: Tensor) -> Tensor:

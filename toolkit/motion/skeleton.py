@@ -131,6 +131,14 @@ class Skeleton:
         return tuple(j for j in range(len(self)) if not self.is_end(j) or j in kept)
 
     @cached_property
+    def feature_of(self) -> list[int]:
+        """For each point the index of the feature joint whose rotation it has: its own, or else
+        that of its parent.
+        """
+        place = {j: i for i, j in enumerate(self.feature_joints)}
+        return [place[j if j in place else self.parents[j]] for j in range(len(self))]
+
+    @cached_property
     def feature_parents(self) -> tuple[int, ...]:
         """Parents of `feature_joints`, as indices into them."""
         position = {j: i for i, j in enumerate(self.feature_joints)}

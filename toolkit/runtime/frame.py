@@ -223,20 +223,14 @@ def pose(
     """
     layout: Layout = getattr(model, "layout", model)
     skeleton, world = layout.skeleton, world_joints(layout, state)
-    joints = list(skeleton.feature_joints)
-
-    # A joint without features has the rotation of its parent.
-    rotation = R.from_forward_up(world["forward"], world["up"])
-    everywhere = [
-        joints.index(j if j in joints else skeleton.parents[j]) for j in range(len(skeleton))
-    ]
-    local = local_rotations(skeleton, rotation[:, everywhere])
+    rotation = R.from_forward_up(world["forward"], world["up"])[:, skeleton.feature_of]
+    local = local_rotations(skeleton, rotation)
     root = world["position"][:, 0]
 
     # Arm IK: bones point at the predicted positions.
     if arms:
         wanted = world["position"].new_zeros(len(root), len(skeleton), 3)
-        wanted[:, joints] = world["position"]
+        wanted[:, list(skeleton.feature_joints)] = world["position"]
         local = turn_arms(skeleton, local, root, wanted)
 
     # Foot IK: the hips sink, so that legs reach the toes.
@@ -259,10 +253,9 @@ def _with_legs(layout: Layout, state: CharacterState) -> CharacterState:
     """
     skeleton, world = layout.skeleton, world_joints(layout, state)
     turned = R.from_forward_up(world["forward"], world["up"])
-    joints = {j: i for i, j in enumerate(skeleton.feature_joints)}
     legs, drop, toes = solve_legs(
         skeleton,
-        lambda above: turned[:, [joints[j] for j in above]],
+        turned[:, skeleton.feature_of],
         world["position"][:, 0],
         state.toes,
         state.contacts,

@@ -4,7 +4,6 @@ The runtimes beside torch, numba and JavaScript, need them.
 """
 
 from collections import namedtuple
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -96,21 +95,11 @@ class Body(NamedTuple):
     @classmethod
     def of(cls, skeleton) -> "Body":
         """The arrays of a skeleton."""
-        joints, parents = list(skeleton.feature_joints), skeleton.parents
-        toes = [skeleton.role(f"{side}_toe") for side in FEET]
-        arms = [
-            [skeleton.role(f"{side}_{part}") for side in FEET]
-            for part in ("shoulder", "elbow", "hand")
-        ]
-        chain = [[parents[joint] for joint in arms[0]], *arms]
-        ends = [skeleton.end_site(f"{side}_hand") for side in FEET]
-        bones = pairwise([*chain, ends] if not set(ends) & set(arms[-1]) else chain)
+        joints = list(skeleton.feature_joints)
         return cls(
-            parents=np.array(parents),
+            parents=np.array(skeleton.parents),
             offsets=skeleton.offsets.double().numpy(),
-            features=np.array(
-                [joints.index(j if j in joints else parents[j]) for j in range(len(skeleton))]
-            ),
+            features=np.array(skeleton.feature_of),
             own=np.array([joints.index(j) if j in joints else -1 for j in range(len(skeleton))]),
             ends=np.array([j for j in range(len(skeleton)) if skeleton.is_end(j)], dtype=np.int64),
             legs=np.array(
@@ -119,8 +108,8 @@ class Body(NamedTuple):
                     for side in FEET
                 ]
             ),
-            chains=np.array(
-                sorted({j for toe in toes for j in (toe, *skeleton.ancestors(toe))} - {0})
+            chains=np.array(held.leg_chain(skeleton)),
+            arms=np.array(
+                [pair for bones in held.arm_bones(skeleton) for pair in zip(*bones, strict=True)]
             ),
-            arms=np.array([pair for level in bones for pair in zip(*level, strict=True)]),
         )

@@ -113,14 +113,16 @@ def compare(clip: Clip, model: Predictor, style: Tensor | str, bank: StyleBank) 
     ValueError
         If the clip is no walk (`not_a_walk`), or the bank does not know the style.
     """
+    clip = clip.resample(FPS)
+    if why := not_a_walk(clip):
+        raise ValueError(f"{clip.name}: {why}")
     vector = bank[style] if isinstance(style, str) else style
     known = style if isinstance(style, str) else None
     return _compared(clip, model, vector[None], bank, _floors(bank, vector, known))[0]
 
 
 def learn(model: Predictor, bank: StyleBank, clips: Sequence[Clip], name: str, *,
-          steps: int = STEPS, seed: int = 0, anyway: bool = False,
-          progress: bool = False) -> Learnt:
+          steps: int = STEPS, seed: int = 0, progress: bool = False) -> Learnt:
     """Learn one style from clips in several ways, until one walks as the longest clip does.
 
     The ways are the default of `fine_tune`, the same with the mirror images of the clips, and, for
@@ -136,25 +138,25 @@ def learn(model: Predictor, bank: StyleBank, clips: Sequence[Clip], name: str, *
     tried: list[Learnt] = []
     for way in ways:
         made = fine_tune(model, clips, name, bank, steps=steps, seed=seed, progress=progress, **way)
-        tried.append(Learnt(made, *choose(made, longest, anyway=anyway), mirror="mirror" in way))
+        tried.append(Learnt(made, *choose(made, longest), mirror="mirror" in way))
         if tried[-1].compared.verdict == "good":
             break
     return min(tried, key=lambda one: one.compared.rank())
 
 
-def choose(made: NewStyles, clip: Clip, *, anyway: bool = False) -> tuple[StyleBank, Comparison]:
+def choose(made: NewStyles, clip: Clip) -> tuple[StyleBank, Comparison]:
     """The bank with that vector of a training which walks most like a clip, and its comparison.
 
     The held-out error of `fine_tune` is measured one step ahead, and chooses another step. Where no
     step gives a good walk, vectors on the line from the first step to the best one are tried.
-    With ``anyway`` the clip need not be a walk. ValueError if several styles were learnt at once.
+    The clip should be a walk (`not_a_walk`). ValueError if several styles were learnt at once.
     """
     if len(made.names) != 1:
         raise ValueError(f"one style is chosen at a time, got {', '.join(made.names)}")
     (name,) = made.names
     vectors = torch.cat([made.bank[name][None], made.tried[:, 0]])
     floors = _floors(made.bank, made.bank[name], name)
-    found = _compared(clip, made.model, vectors, made.bank, floors, anyway)
+    found = _compared(clip, made.model, vectors, made.bank, floors)
     best = min(range(len(found)), key=lambda i: found[i].rank())
     if found[best].verdict != "good":
         start = made.tried[0]
@@ -164,7 +166,7 @@ def choose(made: NewStyles, clip: Clip, *, anyway: bool = False) -> tuple[StyleB
         line = torch.tensor(SHARES, dtype=vectors.dtype)[:, None]
         line = torch.lerp(start, vectors[end, None], line)
         vectors = torch.cat([vectors, line])
-        found += _compared(clip, made.model, line, made.bank, floors, anyway)
+        found += _compared(clip, made.model, line, made.bank, floors)
         best = min(range(len(found)), key=lambda i: found[i].rank())
     kept = made.bank.vectors.clone()
     kept[made.bank.names.index(name)] = vectors[best]
@@ -177,12 +179,10 @@ def _floors(bank: StyleBank, vector: Tensor, name: str | None) -> list[str]:
     return [other for other in dict.fromkeys(("Neutral", *near[:1])) if other in near]
 
 
-def _compared(clip: Clip, model: Predictor, vectors: Tensor, bank: StyleBank, floors: Sequence[str],
-              anyway: bool = False) -> list[Comparison]:
+def _compared(clip: Clip, model: Predictor, vectors: Tensor, bank: StyleBank,
+              floors: Sequence[str]) -> list[Comparison]:
     """Comparisons of ``vectors [K, D]``, which walk side by side with the floors."""
     clip = clip.resample(FPS)
-    if not anyway and (why := not_a_walk(clip)):
-        raise ValueError(f"{clip.name}: {why}")
     more = max(0, len(clip) - round(LONGEST * FPS))
     clip = clip.cut(more // 2, len(clip) - (more - more // 2))
     together = torch.cat([vectors, *(bank[other][None] for other in floors)])

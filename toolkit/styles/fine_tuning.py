@@ -11,7 +11,6 @@ from torch import Tensor
 
 from toolkit import features, runtime
 from toolkit.features import KINDS, Features, splits
-from toolkit.io.model_files import difference
 from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip
 from toolkit.motion.tensors import shown, summary
@@ -203,17 +202,12 @@ def _features(model: Predictor, clips: Clip | Sequence[Clip], name: str | None,
     clips = [clips] if isinstance(clips, Clip) else list(clips)
     if not any(map(skeleton.is_end, range(len(skeleton)))):
         clips = [clip.without_ends() for clip in clips]
+    wanted = features.Layout(skeleton, samples=samples)
     for clip in clips:
-        expected, got = ({"joints": s.names, "parents": s.parents}
-                         for s in (skeleton, clip.skeleton))
-        if why := difference(expected, got):
-            raise ValueError(f"{clip.name}: not the model's skeleton; it differs in {why}")
+        if why := features.Layout(clip.skeleton, samples=samples).difference(wanted):
+            raise ValueError(f"{clip.name}: {why}, compared with the model's skeleton")
     named = clips if name is None else [clip.replace(style=name) for clip in clips]
-    data = features.build(named, mirror=mirror, short="skip", samples=samples)
-    own, wanted = (features.Layout(s, samples=samples) for s in (data.layout.skeleton, skeleton))
-    if why := own.difference(wanted):
-        raise ValueError(f"{clips[0].name}: {why}, compared with the model's skeleton")
-    return data
+    return features.build(named, mirror=mirror, short="skip", samples=samples)
 
 
 def _prior(model: Predictor, bank: StyleBank | None) -> tuple[Tensor, Tensor]:
