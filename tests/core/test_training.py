@@ -525,11 +525,6 @@ def test_impossible_configs(changes, match):
         Config(**changes)
 
 
-def test_the_help_of_a_config_explains_every_field():
-    for field in dataclasses.fields(Config):
-        assert re.search(rf"^    {field.name}\n        \S", Config.__doc__, re.MULTILINE)
-
-
 def test_unknown_style_and_divergence_are_named():
     with pytest.raises(ValueError, match="unknown style 'style9'; close to it"):
         training.fit(waves(), quick(styles=("style9",)))

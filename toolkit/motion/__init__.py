@@ -3,11 +3,10 @@
 from toolkit import registry
 from toolkit.motion import contacts, ik, rotations, trajectory
 
-from toolkit.motion.roles import ROLES, find_roles  # isort: skip
+from toolkit.motion.roles import ROLES  # isort: skip
 from toolkit.motion.skeleton import Skeleton, forward_kinematics, local_rotations  # isort: skip
 from toolkit.motion.clip import Clip, RootFrames, on_cpu, root_frames  # isort: skip
 
-__all__ = ["ROLES", "Clip", "RootFrames", "Skeleton", "contacts", "find_roles",
-           "forward_kinematics", "ik", "local_rotations", "on_cpu", "root_frames",
-           "rotations", "trajectory"]
+__all__ = ["ROLES", "Clip", "RootFrames", "Skeleton", "contacts", "forward_kinematics",
+           "ik", "local_rotations", "on_cpu", "root_frames", "rotations", "trajectory"]
 __getattr__ = registry.attributes(__name__)

@@ -20,11 +20,6 @@ Found = dict[str, tuple[str, str]]  # role: joint, and the rule that found it
 Places = dict[str, tuple[int, str]]  # part or role: index of its joint, and the rule
 
 
-def find_roles(*tree) -> dict[str, str]:
-    """Joints by those roles of `ROLES` that names and tree show; arguments are those of `find`."""
-    return {role: joint for role, (joint, _) in find(*tree).items()}
-
-
 def find(names: Sequence[str], parents: Sequence[int], lengths: Sequence[float] | None = None,
          ends: Sequence[str] = ()) -> Found:
     """Roles with the rule that found each.

@@ -9,7 +9,7 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import rotations as R
-from toolkit.motion.roles import SIDES, Tree, find_roles, mirror_pairs
+from toolkit.motion.roles import SIDES, Tree, find, mirror_pairs
 from toolkit.motion.tensors import as_tensor, summary
 from toolkit.motion.text import checked
 
@@ -70,7 +70,8 @@ class Skeleton:
                              f"{', '.join(wrong)}")
         if self.roles is None:
             lengths = None if self.offsets.is_meta else self.offsets.norm(dim=-1).tolist()
-            set_(self, "roles", find_roles(self.names, self.parents, lengths, self.ends))
+            found = find(self.names, self.parents, lengths, self.ends)
+            set_(self, "roles", {role: joint for role, (joint, _) in found.items()})
         set_(self, "roles", dict(self.roles))
 
     def __len__(self) -> int:

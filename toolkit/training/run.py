@@ -36,79 +36,39 @@ class Config:
     """How to train: as in the paper, but for ``refit``.
 
     Give one of ``epochs``, ``steps`` and ``seconds``, or none.
-
-    Parameters
-    ----------
-    model
-        One of `toolkit.networks.MODELS`, or the name of your own, see `toolkit.networks.register`.
-    sizes
-        How large the networks are.
-    styles
-        Which styles, in the order in which minibatches cycle through them; empty: all.
-    epochs
-        Passes of the shortest style; 90 in the paper.
-    steps
-        Minibatches.
-    seconds
-        Wall time; unlike with epochs and steps, the result depends on the machine.
-    patience
-        Stop after so many evaluations without a better held-out error, and keep the best weights.
-    batch
-        Frames of one style per minibatch.
-    clips_per_batch
-        Style clips per minibatch, shared by its frames; 1 takes a third of the time of 32.
-    rate
-        Adam's learning rate at the start.
-    style_rate
-        Rate of the style modulation / ``rate``. Its convolutions fail at rates from 1e-3 on.
-    final_rate
-        Last learning rate / first, with cosine decay between them; 1: constant.
-    max_gradient
-        Norm to which gradients are clipped. Without it, losses spike at rates from 1e-3 on.
-    pose_mixup
-        Share of frames whose input pose is mixed with another frame's, see `Minibatches`; 0 in the
-        paper.
-    refit
-        Steps per style that fit FiLM's vectors to frames after the training; 0: means of clips, as
-        in the paper.
-    held_out
-        Share of every style's frames that is kept for the test error.
-    evaluate_every
-        Steps between test errors in the history.
-    save_every
-        Seconds between checkpoints.
-    seed
-        Of initial weights, held-out frames, minibatches and dropout.
-    precision
-        ``"32"``: float32; ``"bf16"``: products in bfloat16, weights and Adam in float32.
-    device
-        Of torch: ``"cpu"``, ``"cuda"``, ``"cuda:1"`` …
-    processes
-        On this machine, each with its own device; torchrun overrides it.
     """
 
-    model: str = "lpn-film"
-    sizes: Sizes = field(default_factory=Sizes)
-    styles: tuple[str, ...] = ()
-    epochs: float | None = None
-    steps: int | None = None
-    seconds: float | None = None
+    model: str = "lpn-film"  # one of `toolkit.networks.MODELS`, or your own, see `register`
+    sizes: Sizes = field(default_factory=Sizes)  # how large the networks are
+    styles: tuple[str, ...] = ()  # in the order in which minibatches cycle through them; empty: all
+    epochs: float | None = None  # passes of the shortest style; 90 in the paper
+    steps: int | None = None  # minibatches
+    seconds: float | None = None  # wall time: the result depends on the machine
+    # evaluations without a better held-out error, after which it stops and keeps the best weights
     patience: int | None = None
-    batch: int = 32
+    batch: int = 32  # frames of one style per minibatch
+    # style clips per minibatch, shared by its frames; 1 takes a third of the time of 32
     clips_per_batch: int = 32
-    rate: float = 1e-4
+    rate: float = 1e-4  # Adam's learning rate at the start
+    # rate of the style modulation / ``rate``; its convolutions fail at rates from 1e-3 on
     style_rate: float = 1.0
+    # last learning rate / first, with cosine decay between them; 1: constant
     final_rate: float = 1.0
+    # norm to which gradients are clipped; without it, losses spike at rates from 1e-3 on
     max_gradient: float | None = None
+    # share of frames whose input pose is mixed with another frame's, see `Minibatches`; 0 in the
+    # paper
     pose_mixup: float = 0.0
+    # steps per style that fit FiLM's vectors to frames after the training; 0: means of clips, as in
+    # the paper
     refit: int = STEPS
-    held_out: float = 0.1
-    evaluate_every: int = 1000
-    save_every: float = 120.0
-    seed: int = 0
-    precision: str = "32"
-    device: str = "cpu"
-    processes: int = 1
+    held_out: float = 0.1  # share of every style's frames that is kept for the test error
+    evaluate_every: int = 1000  # steps between test errors in the history
+    save_every: float = 120.0  # seconds between checkpoints
+    seed: int = 0  # of initial weights, held-out frames, minibatches and dropout
+    precision: str = "32"  # "bf16": products in bfloat16, weights and Adam in float32
+    device: str = "cpu"  # of torch: "cpu", "cuda", "cuda:1" …
+    processes: int = 1  # on this machine, each with its own device; torchrun overrides it
     __repr__ = summary
 
     def __post_init__(self):
