@@ -123,11 +123,6 @@ def _too_short(clip: Clip, samples: tuple[int, ...]) -> ValueError:
                       f"{-samples[0]} before and {samples[-1] + 1} after a frame")
 
 
-def clip_starts(n: int, device: torch.device | None = None) -> Tensor:
-    """First frames of the style clips of n frames: `CLIP_FRAMES` long, every `CLIP_HOP` frames."""
-    return torch.arange(0, max(0, n - CLIP_FRAMES + 1), CLIP_HOP, device=device)
-
-
 def mean_velocity(clips: Tensor) -> Tensor:
     """Mean velocity (x, z) ``[M, 2]`` of style clips ``[M, 240, 12 J]`` in the root frame, m/s."""
     return split_joints(clips)["velocity"][:, :, 0, [0, 2]].mean(1)
@@ -314,16 +309,19 @@ def style_rows(own: OwnFeatures, takes: Iterable[tuple[int, int]]) -> dict[str, 
     takes : number of the take and of frames of each; a mirror image comes just after its original
     """
     device, samples = own.joints.device, own.layout.samples
-    last, first, number, after = None, 0, 0, 0
+    last, first, base, free = None, 0, 0, 0
     parts = []
     for take, n in takes:
-        if take != last:  # the numbers of a style's frames have spaces between recordings
-            last, number, after = take, after, after + n + CLIP_FRAMES
-        at, starts = first + usable(n, device, samples), first + clip_starts(n, device)
-        shift = number - first
+        # Frames of a style are numbered through, with gaps of `CLIP_FRAMES` between recordings, so
+        # that no window of held-out frames touches two recordings (`splits.style_clips`).
+        if take != last:
+            last, base, free = take, free, free + n + CLIP_FRAMES
+        at = first + usable(n, device, samples)
+        starts = torch.arange(first, first + max(0, n - CLIP_FRAMES + 1), CLIP_HOP, device=device)
+        shift = base - first
         # of style clips and of the whole recording: first frame, its number, number of frames
         clips = torch.stack((starts, starts + shift, torch.full_like(starts, CLIP_FRAMES)), -1)
-        whole = torch.tensor([[first, number, n]], device=device)
+        whole = torch.tensor([[first, base, n]], device=device)
         parts.append((at, torch.full_like(at, take), at + shift, clips, whole))
         first += n
     columns = (torch.cat(column) for column in zip(*parts, strict=True))

@@ -2,6 +2,14 @@
 
 Neighbouring frames are almost equal, and the features of a frame reach 60 frames back and 51 ahead.
 Frames whose window overlaps that of a held-out frame are therefore in neither part.
+
+| rule | what it decides |
+| --- | --- |
+| `held_out` | which rows of a style are for the test |
+| `apart` | which other rows are for the training; the rest is dropped |
+| `style_clips` | which style clips the training sees |
+
+Departure from the paper: no part is for validation, and rows near those of the test are dropped.
 """
 
 import contextlib
@@ -68,6 +76,7 @@ def _picked(rows: Tensor | Rows, mask: Tensor) -> Tensor | Rows:
 def apart(data: Features, style: str, held_out: Tensor) -> Tensor:
     """Rows ``[N]`` bool of a style whose windows share no frame with those of ``held_out [N]``.
 
+    A window is that of the trajectory and the next frame; the filters of the phases reach farther.
     In a style that is too short for any, those that are not held out, with a warning; and these if
     the data do not say from which frames they come.
     """

@@ -174,10 +174,13 @@ class Clip:
 def frame_reflections(skeleton: Skeleton, mean: Tensor) -> Tensor:
     """Reflections ``[J, 3, 3]`` of joints' frames onto their counterparts', for one in x = 0.
 
-    Rigs differ in which of a joint's axes points sideways. We choose the reflection of one or all
-    three axes that maps the bones below a joint to those below its counterpart. If several do, we
-    choose the one that maps the mean local rotations ``mean [J, 3, 3]`` best. If none does, it is
-    the orthogonal matrix that fits bones and means best (Procrustes).
+    Rigs differ in which of a joint's axes points sideways. The reflection S of a joint minimises
+
+        Σ ‖S b − b'‖² / (1 cm)² − tr(Sᵀ M),   M = mean'ᵀ S_parent mean
+
+    over the bones b below the joint and b' below its counterpart, and the mean local rotations
+    ``mean [J, 3, 3]`` of both. We try the reflections of one and of all three axes. If none maps
+    the bones, S is the best orthogonal matrix (Procrustes).
     """
     if mean.is_meta:
         return torch.empty_like(mean)
@@ -195,9 +198,9 @@ def frame_reflections(skeleton: Skeleton, mean: Tensor) -> Tensor:
             continue
         here, there = offsets[bones[j]], offsets[[pairs[k] for k in bones[j]]]
         above = choices[0] if p < 0 else own[p]
-        rotation = mean[pairs[j]].T @ above @ mean[j]  # what the means ask for
+        rotation = mean[pairs[j]].T @ above @ mean[j]  # M
 
-        # A reflection of axes, if it maps the bones; a misfit of 1 cm counts as much as the means.
+        # A reflection of axes, if it maps the bones.
         misfit = (here @ choices.mT - there).square().sum((-2, -1)) / 0.01**2
         best = int(((choices * rotation).sum((-2, -1)) - misfit).argmax())
         long = here.norm(dim=-1) > 0.01

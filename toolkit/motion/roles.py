@@ -41,15 +41,15 @@ def find(names: Sequence[str], parents: Sequence[int], lengths: Sequence[float] 
 @lru_cache(64)
 def _find(names: tuple[str, ...], parents: tuple[int, ...], lengths: tuple[float, ...],
           ends: tuple[str, ...]) -> Found:
-    said, ending = read_all(names), set(ends)
+    words, ending = read_all(names), set(ends)
     tree = Tree(parents, lengths or [1.0] * len(names),
                 frozenset(j for j, name in enumerate(names) if name in ending))
     found: Places = {}
     for side in SIDES:
         for limb in CHAINS:
-            places = _limb(said, tree, side, limb)
+            places = _limb(words, tree, side, limb)
             found |= {f"{side}_{part}": place for part, place in places.items()}
-    found = {"hips": _hips(said, tree, found)} | found
+    found = {"hips": _hips(words, tree, found)} | found
     return {role: (names[j], rule) for role, (j, rule) in found.items()}
 
 
@@ -94,55 +94,60 @@ class Tree:
         return sum(self.lengths[j] for j in path[: path.index(upper)])
 
 
-def _limb(said: list[JointName], tree: Tree, side: str, limb: str) -> Places:
-    """Joint and rule for each part of a limb; empty if the names do not show it."""
-    found = _named(said, tree, side, CHAINS[limb] + (("toe",) if limb == "leg" else ()))
-    if not found:
+def _limb(words: list[JointName], tree: Tree, side: str, limb: str) -> Places:
+    """Joint and rule for each part of a limb; empty if the names do not show it.
+
+    Of a leg Thigh, ThighTwist, Knee, Ankle, Ball the names give hip, knee, foot and toe; ThighTwist
+    has no role. Were the knee called "Joint3", it would be the parent of the foot, and were the
+    ankle called so, it would be the longest bone below the knee.
+    """
+    places = _named(words, tree, side, CHAINS[limb] + (("toe",) if limb == "leg" else ()))
+    if not places:
         return {}
 
     # A part without a fitting name is the parent of the next part outwards …
     parts = CHAINS[limb]
-    for part, beyond in zip(parts[-2::-1], parts[::-1], strict=False):
-        if part not in found and beyond in found:
-            joint = found[beyond][0]
-            above = next((j for j in tree.up(joint)[1:] if not said[j].helper), -1)
+    for part, outer in zip(parts[-2::-1], parts[::-1], strict=False):
+        if part not in places and outer in places:
+            joint = places[outer][0]
+            above = next((j for j in tree.up(joint)[1:] if not words[j].helper), -1)
             alone = above >= 0 and len(tree.children[above]) == 1
-            if alone and said[above].side in (side, ""):
-                found[part] = above, f"parent of the {beyond}"
+            if alone and words[above].side in (side, ""):
+                places[part] = above, f"parent of the {outer}"
 
     # … or the longest bone below the part before it.
-    for part, before in zip(parts[1:], parts, strict=False):
-        if part not in found and before in found:
-            children = tree.children[found[before][0]]
-            below = [j for j in children if not said[j].helper or j in tree.ends]
+    for part, inner in zip(parts[1:], parts, strict=False):
+        if part not in places and inner in places:
+            children = tree.children[places[inner][0]]
+            below = [j for j in children if not words[j].helper or j in tree.ends]
             if below:
-                found[part] = max(below, key=lambda j: tree.lengths[j]), f"below the {before}"
+                places[part] = max(below, key=lambda j: tree.lengths[j]), f"below the {inner}"
 
-    if set(parts) <= found.keys():
-        found |= _halved(said, tree, side, parts, found)
-    if "foot" in found and "toe" not in found:
-        found["toe"] = _toe(tree, found)
-    return found
+    if set(parts) <= places.keys():
+        places |= _halved(words, tree, side, parts, places)
+    if "foot" in places and "toe" not in places:
+        places["toe"] = _toe(tree, places)
+    return places
 
 
-def _named(said: list[JointName], tree: Tree, side: str, chain: tuple[str, ...]) -> Places:
+def _named(words: list[JointName], tree: Tree, side: str, chain: tuple[str, ...]) -> Places:
     """The parts of a limb that names state: those on the path to its end that shows most of them.
 
     Of equally many the most certain words count. One joint alone is no limb.
     """
     best: dict[str, int] = {}
     score = (1, 0)
-    for end, name in enumerate(said):
+    for end, name in enumerate(words):
         if name.side != side or end in tree.ends or name.parts.keys().isdisjoint(chain):
             continue
-        path = [j for j in reversed(tree.up(end)) if said[j].side == side]
-        *count, places = _in_order(said, path, chain)
+        path = [j for j in reversed(tree.up(end)) if words[j].side == side]
+        *count, places = _in_order(words, path, chain)
         if tuple(count) > score:
             best, score = places, tuple(count)
     return {part: (j, "name") for part, j in best.items()}
 
 
-def _in_order(said: list[JointName], path: list[int],
+def _in_order(words: list[JointName], path: list[int],
               chain: tuple[str, ...]) -> tuple[int, int, dict[str, int]]:
     """As many parts of a chain as a path states in their order, by the most certain words.
 
@@ -153,17 +158,17 @@ def _in_order(said: list[JointName], path: list[int],
     for j in path:
         new = {}
         for at, part in enumerate(chain):
-            if part in said[j].parts:
+            if part in words[j].parts:
                 before = (best[k] for k in best if k < at)
                 count, ranks, places = max(before, key=lambda choice: choice[:2])
-                new[at] = count + 1, ranks - said[j].parts[part], places | {part: j}
+                new[at] = count + 1, ranks - words[j].parts[part], places | {part: j}
         for at, choice in new.items():
             if at not in best or choice[:2] > best[at][:2]:
                 best[at] = choice
     return max(best.values(), key=lambda choice: choice[:2])
 
 
-def _halved(said: list[JointName], tree: Tree, side: str, parts: tuple[str, ...],
+def _halved(words: list[JointName], tree: Tree, side: str, parts: tuple[str, ...],
             found: Places) -> Places:
     """Upper and middle joint of a limb whose named parts are unequal, if others make them equal.
 
@@ -176,7 +181,7 @@ def _halved(said: list[JointName], tree: Tree, side: str, parts: tuple[str, ...]
         lengths = tree.distance(a, b), tree.distance(b, lower)
         return min(lengths) / max(*lengths, 1e-12)
 
-    path = [j for j in tree.up(lower) if said[j].side == side and not said[j].helper]
+    path = [j for j in tree.up(lower) if words[j].side == side and not words[j].helper]
     pairs = [(a, b) for b, a in combinations(path[1:], 2)]
     best = max(pairs, key=lambda pair: likeness(*pair), default=(upper, middle))
     if likeness(upper, middle) > UNEQUAL or likeness(*best) < EQUAL:
@@ -195,7 +200,7 @@ def _toe(tree: Tree, found: Places) -> tuple[int, str]:
     return below, "End Site of the foot" if below in tree.ends else "below the foot"
 
 
-def _hips(said: list[JointName], tree: Tree, found: Places) -> tuple[int, str]:
+def _hips(words: list[JointName], tree: Tree, found: Places) -> tuple[int, str]:
     """The topmost joint called hips above legs and arms or above the legs, else where they meet."""
 
     def above(*parts: str) -> list[int]:
@@ -203,7 +208,7 @@ def _hips(said: list[JointName], tree: Tree, found: Places) -> tuple[int, str]:
         limbs = [set(tree.up(found[role][0])[1:]) for role in roles if role in found]
         return sorted(set.intersection(*limbs)) if limbs else []
 
-    called = [j for j, name in enumerate(said)
+    called = [j for j, name in enumerate(words)
               if "hips" in name.parts and not name.side and j not in tree.ends]
     for common in (above("hip", "shoulder"), above("hip")):
         if inner := [j for j in common if j in called]:
@@ -222,7 +227,7 @@ def mirror_pairs(names: Sequence[str], parents: Sequence[int],
     else those with equal trees below them. Other joints are counterparts if their names differ only
     in the side.
     """
-    said, tree = read_all(names), Tree(parents, [])
+    words, tree = read_all(names), Tree(parents, [])
     pairs: dict[int, int] = {}
 
     def join(a: int, b: int) -> None:
@@ -243,16 +248,16 @@ def mirror_pairs(names: Sequence[str], parents: Sequence[int],
             join(child, next(free, child))
 
     def named_alike(a: int, b: int) -> bool:
-        return (_OTHER.get(said[a].side, ""), said[a].plain) == (said[b].side, said[b].plain)
+        return (_OTHER.get(words[a].side, ""), words[a].plain) == (words[b].side, words[b].plain)
 
     def shaped_alike(a: int, b: int) -> bool:
         return tree.shapes[a] == tree.shapes[b]
 
     # From the root down: names that differ in the side, and children of counterparts.
     first = {}  # joint by side and plain name
-    for j, name in enumerate(said):
+    for j, name in enumerate(words):
         first.setdefault((name.side, name.plain), j)
-    for a, name in enumerate(said):
+    for a, name in enumerate(words):
         if name.side:
             join(a, first.get((_OTHER[name.side], name.plain), a))
         if (b := pairs.get(a, a)) > a:

@@ -4,7 +4,6 @@ Synthesis networks and modulations are independent parts; `MODELS` are the combi
 paper's Table 2.
 """
 
-import dataclasses
 import functools
 
 from torch import Tensor, nn
@@ -47,7 +46,8 @@ class Model(Predictor):
     def __init__(self, name: str, layout: Layout, n_styles: int, sizes: Sizes,
                  generator: bool = True):
         synthesis, style = name.split("-")
-        super().__init__(dataclasses.replace(layout, phase=PHASE[synthesis]), n_styles, sizes)
+        self.phase = PHASE[synthesis]
+        super().__init__(layout, n_styles, sizes)
         self.name, layout, s = name, self.layout, sizes
         experts, rank = (CONTROL_POINTS, s.rank) if synthesis == "pfnn" else (s.experts, None)
         match synthesis:

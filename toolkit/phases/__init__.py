@@ -77,10 +77,12 @@ def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid") -> lis
 
     Notes
     -----
-    The fit's window is about a cycle of each limb (`windows.half_window`). The feature is
-    p = ‖v‖ a (sin φ, cos φ). ``a`` is the amplitude of the fitted sinusoid (equation 1). The paper
-    leaves open which speed ‖v‖ is: here the root-mean-square over one second, in the hips' frame. A
-    source that is constant for all limbs in all clips has no phase, and a warning says so.
+    Departure: curves are z-scored and fitted in windows of about a cycle of each limb, one second
+    or more (`windows.half_window`); in the published run, in one second and half a second. The
+    feature is p = ‖v‖ a (sin φ, cos φ). ``a`` is the amplitude of the fitted sinusoid (equation 1).
+    The paper leaves open which speed ‖v‖ is: here the root-mean-square over one second, in the
+    hips' frame. A source that is constant for all limbs in all clips has no phase, and a warning
+    says so.
     """
     if isinstance(source, str):
         source = named(source)

@@ -114,7 +114,15 @@ def signal(contact: Tensor) -> Tensor | None:
     Where ones take the share `WALK` of a cycle, as in a walk, the angle is 0 in the middle of ones.
     A sinusoid has its maximum there; the phase of Holden et al. 2017 is fixed to the touch-down.
     The two move apart when a walk becomes a run. The angle keeps its distance from the middle for
-    two thirds and from the touch-down for one third (`EARLY`).
+    two thirds and from the touch-down for one third (`EARLY`). So at the k-th middle it is
+
+        angle_k = π (k + (share_k − WALK) · EARLY),   even k standing, odd k swinging,
+
+    where share_k is the part of the cycle around it in which the foot stands::
+
+        1 ┌──────┐        ┌──────┐
+        0 ┘      └────────┘      └──
+              0       π       2π
     """
     value = contact.cpu().double().numpy()
     change = np.flatnonzero(np.diff(value)) + 0.5
@@ -125,7 +133,7 @@ def signal(contact: Tensor) -> Tensor | None:
     # long stances: half of the time in which the angle is held
     pause = np.where(standing, np.maximum(length - 2 * _beside(length), 0.0), 0.0) / 2
     moving = length - 2 * pause
-    # angle at each middle, later where the stances are longer than in a walk
+    # angle at each middle, later where the stances are longer than in a walk; the first may swing
     share = np.where(standing, moving, _beside(moving)) / (moving + _beside(moving))
     angle = np.pi * (np.arange(len(middle)) + (not standing[0]) + (share - WALK) * EARLY)
     # straight lines between the pauses, and far enough beyond both ends

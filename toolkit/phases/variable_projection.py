@@ -50,7 +50,8 @@ def minima(curve, spread, middle, grid, out):
         sums_cosine += curve[t] * np.cos((t - half) * grid)
 
     for frame in range(frames):
-        # those of the next window: a sample leaves, the others turn by θ, a sample enters
+        # The next window: a sample leaves, the others turn by θ, a sample enters. For S = Σ y e^iθt
+        # this is S ← e^−iθ (S − y_leaves e^−iθh) + y_enters e^iθh.
         for k in range(last + 1) if frame > 0 else range(0):
             s = sums_sine[k] + curve[frame - 1] * end_sine[k]
             c = sums_cosine[k] - curve[frame - 1] * end_cosine[k]
@@ -177,6 +178,7 @@ def _in_ball(p, q, alpha, beta, radius):
     if square <= radius * radius:
         return u, v
     shift = 0.0
+    # λ ← λ + (‖x‖/r − 1) ‖x‖² / xᵀ (A + λ)⁻¹ x, with x = (u, v) and A = diag(α, β)
     for _ in range(30):
         excess = math.sqrt(square) / radius - 1.0
         if not 1e-8 < excess < math.inf:

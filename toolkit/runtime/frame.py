@@ -124,6 +124,10 @@ def step(model, state: CharacterState, command: Command) -> CharacterState:
     The future trajectory is blended towards the command. The network predicts the next frame. Pose,
     phase and trajectory are blends of this prediction and the previous values (section 4.4, with
     the constants of the published run). The pose after foot IK is the next input.
+
+    Departure from the published run, in which all positions are half predicted and half integrated:
+    a leg in contact is only integrated, other joints are corrected by at most `JUMP`, and toes in
+    the air are raised by the model's ``lift``. For the phase see `toolkit.networks.phase.advance`.
     """
     return planted(model.layout, state, predicted(model, state, command))
 
@@ -154,7 +158,7 @@ def predicted(model, state: CharacterState, command: Command) -> CharacterState:
     place = torch.lerp(path[:, 0, :2], root[:, :2], steered.rest)
     new_root = torch.cat((place, turn(path[:, 0, 2:], root[:, 2:], stand[:, 0])), -1)
 
-    # Future trajectory: a blend of the prediction and the one before, from the new root on.
+    # Future trajectory from the new root on: 85 % the network's, 15 % the steered one that went in.
     ahead = torch.lerp(future, path, CORRECTION)
     ahead = torch.cat((ahead[..., :2], R.normalize(ahead[..., 2:])), -1)
     ahead = torch.cat((new_root[:, None], ahead[:, 1:]), 1)

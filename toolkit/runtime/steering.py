@@ -88,7 +88,8 @@ def steer(
     (`toolkit.features.Layout.ahead`). The fields that change are ``velocity``, ``facing``,
     ``future``, ``drive``, ``asked``, ``aside`` and ``rest``.
 
-    Ours: the target velocity opposes a false velocity: the lateral part of it while the character
+    Departure from the published run: the smoothed target changes by at most `FASTEST` and `SPIN`,
+    and the target velocity opposes a false velocity: the lateral part of it while the character
     walks, all of it while the command or the speed factor is near 0, since a network can walk on
     by itself. The right velocity is the command, as slow as a character follows it; a character
     that is to stop is opposed at once. While the command is to stand, the blend grows until the
@@ -117,20 +118,23 @@ def steer(
     change = torch.where(speed < MOVES, 1 / (STANDING * FPS), -1 / (STARTING * FPS))
     rest = (state.rest + change).clamp(0.0, 1.0)
 
-    # Target velocity: the controllers oppose the errors of the network.
+    # Target velocity, of three parts: the command times the factor of the speed controller; against
+    # the velocity that a character which is to stand or stop has (`slow` is 1) but should not; and
+    # `across`, against the lateral velocity.
     asked, aside, across = direction_controller(state, velocity)
     slow = (1.0 - torch.minimum(speed / SLOW, state.drive / LOW)).clamp_min(0.0)
     moved = _moved(state, -1)
     walks = wanted.norm(dim=-1, keepdim=True) / moved.norm(dim=-1, keepdim=True).clamp_min(SLOW)
-    right = torch.lerp(velocity, asked, walks.clamp_max(1.0))
-    pull = state.drive * velocity + RETURN * slow * (right - moved) + across
+    wanted_now = torch.lerp(velocity, asked, walks.clamp_max(1.0))
+    pull = state.drive * velocity + RETURN * slow * (wanted_now - moved) + across
 
     # Shares of the target in the blend: they grow with time, and with standing.
     t = torch.tensor(ahead[1:], **like) / ahead[-1]
     w_position = torch.lerp(1 - (1 - t) ** POSITION_BIAS, torch.ones_like(t), rest)
     w_direction = torch.lerp(1 - (1 - t) ** DIRECTION_BIAS, torch.ones_like(t), rest)
 
-    # Positions: the steps of the trajectory are blended, and added up from the root.
+    # Positions: the steps between the samples are blended, not the samples, and added up from the
+    # root.
     steps = state.future[:, 1:, :2] - state.future[:, :-1, :2]
     seconds = torch.tensor(ahead, **like).diff()[:, None] / FPS
     steps = torch.lerp(steps, pull[:, None] * seconds, w_position[..., None])

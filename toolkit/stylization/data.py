@@ -21,7 +21,9 @@ from toolkit.stylization.graph import SkeletonGraph
 FPS = 30.0
 FRAMES = 64  # T of a training window
 CHANNELS = 7  # position 3, quaternion 4
-LEAST_STD = 0.01  # metres or quaternion components: nearly constant features are not amplified
+# Departure: least standard deviation, metres or quaternion components, of the z-score, so that
+# nearly constant features are not amplified.
+LEAST_STD = 0.01
 
 
 class Statistics(nn.Module):

@@ -35,6 +35,7 @@ BETAS = (0.9, 0.99)
 class Config:
     """How to train; the defaults are the paper's (appendix A.2), for hours on a graphics card.
 
+    Departure: `BETAS`, which have no field here, and the R1 term are those of the published code.
     Each field from ``squared`` to ``r1_every`` is a departure from the paper where it is not at its
     default; `quick` has them all.
     """

@@ -33,7 +33,7 @@ STYLE_RATES = {"film": 0.1, "onehot": 10.0, "resad": 1.0}
 
 @dataclass(frozen=True)
 class Config:
-    """How to train: as in the paper, but for ``refit``.
+    """How to train: as in the paper, but for ``refit``, a departure of ours.
 
     Give one of ``epochs``, ``steps`` and ``seconds``, or none.
     """
