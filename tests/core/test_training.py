@@ -29,7 +29,7 @@ def waves(joints: int = 4, styles: int = 2, frames: int = 700) -> Features:
     """Something to learn: every column a wave of time, whose shape the style changes."""
     layout = tree(joints)
     generator = torch.Generator().manual_seed(0)
-    kinds = ("inputs", "phases", "outputs", "clips", "takes")
+    kinds = ("inputs", "phases", "outputs", "clips", "takes", "frames")
     parts: dict[str, dict[str, torch.Tensor]] = {kind: {} for kind in kinds}
     rates = 0.1 * torch.randint(1, 4, (1, layout.n_inputs), generator=generator)
     starts = 6 * torch.rand(1, layout.n_inputs, generator=generator)
@@ -41,8 +41,9 @@ def waves(joints: int = 4, styles: int = 2, frames: int = 700) -> Features:
         p = torch.cat([torch.sin(t * 0.1 + k) for k in range(8)], 1)
         z = x @ mixing * (1 + i) + torch.sin(t * 0.1)
         clips = z[:, layout.outputs["joints"]].unfold(0, 240, 120).transpose(1, 2).contiguous()
-        for kind, value in zip(kinds, (x, p, z, clips, (torch.arange(n) >= 400).long()),
-                               strict=True):
+        # the frames are so far apart that no two windows overlap
+        at = torch.arange(n)
+        for kind, value in zip(kinds, (x, p, z, clips, (at >= 400).long(), 240 * at), strict=True):
             parts[kind][f"style{i}"] = value
     return Features(layout, **parts)
 
@@ -116,6 +117,7 @@ def test_minibatches_cycle_through_styles_and_frames():
 
 def test_past_frames_are_those_before_in_the_same_take():
     data = waves()  # its first take has 400 frames
+    data = dataclasses.replace(data, frames={"style0": torch.arange(700)})
     x = data.inputs["style0"]
     rows = torch.tensor([0, 2, 300, 400, 401, 650])
     found = minibatches.remembered(data, "style0", rows, 3)

@@ -183,11 +183,11 @@ class Features:
     outputs: dict[str, Tensor | Rows]  # [N, Dz]
     clips: dict[str, Tensor | Rows]  # [M, 240, 12 J]
     takes: dict[str, Tensor]  # [N] number of each row's clip; a mirror image has its original's
-    split: Split | None = None  # of a store or of a list
-    statistics: dict[str, Normaliser] | None = None  # of the training rows of a store
     # Which frames of the recordings these are: a style's recordings are numbered through, and a
     # mirror image has the numbers of its original.
-    frames: dict[str, Tensor] | None = None  # [N] frame of each row
+    frames: dict[str, Tensor]  # [N] frame of each row
+    split: Split | None = None  # of a store or of a list
+    statistics: dict[str, Normaliser] | None = None  # of the training rows of a store
     spans: dict[str, Tensor] | None = None  # [M, 2] first frame of a style clip, number of frames
 
     def __repr__(self) -> str:

@@ -63,8 +63,7 @@ def select(data: Features, masks: dict[str, Tensor]) -> Features:
     chosen = {}
     for kind in (*FRAME_KINDS, "takes", "frames"):
         rows = getattr(data, kind)
-        if rows is not None:
-            chosen[kind] = {style: _picked(rows[style], mask) for style, mask in masks.items()}
+        chosen[kind] = {style: _picked(rows[style], mask) for style, mask in masks.items()}
     clips = {style: data.clips[style] for style in masks}
     return dataclasses.replace(data, clips=clips, split=None, statistics=None, spans=None, **chosen)
 
@@ -77,11 +76,10 @@ def apart(data: Features, style: str, held_out: Tensor) -> Tensor:
     """Rows ``[N]`` bool of a style whose windows share no frame with those of ``held_out [N]``.
 
     A window is that of the trajectory and the next frame; the filters of the phases reach farther.
-    In a style that is too short for any, those that are not held out, with a warning; and these if
-    the data do not say from which frames they come.
+    In a style that is too short for any, those that are not held out, with a warning.
     """
     rest = ~held_out
-    if data.frames is None or not held_out.any() or not rest.any():
+    if not held_out.any() or not rest.any():
         return rest
     at = data.frames[style]
     aside = at[held_out.to(at.device)].unique()
@@ -143,11 +141,10 @@ def style_clips(data: Features, style: str, held_out: Tensor) -> Tensor | Rows:
     """Style clips that share no frame with the windows of the rows ``held_out [N]`` of a style.
 
     Nor with their mirror images. If every clip shares one, the longest remaining stretch of each is
-    repeated, if it lasts `STRETCH` frames or more. All clips, with a warning, if there is none; and
-    all if the data do not say from which frames they come.
+    repeated, if it lasts `STRETCH` frames or more. All clips, with a warning, if there is none.
     """
     clips = data.clips[style]
-    if data.frames is None or data.spans is None or not held_out.any():
+    if data.spans is None or not held_out.any():
         return clips
     samples, (starts, lengths) = data.layout.samples, data.spans[style].T
     window = torch.arange(samples[0], samples[-1] + 2, device=starts.device)
@@ -187,8 +184,7 @@ def held_out(data: Features, share: float, seed: int, styles: tuple[str, ...]) -
     """
     masks = {}
     for style in styles:
-        n, takes = len(data.takes[style]), data.takes[style].unique()
-        frames = torch.arange(n) if data.frames is None else data.frames[style]
+        n, takes, frames = len(data.takes[style]), data.takes[style].unique(), data.frames[style]
         windows = [frames[data.takes[style] == take].unique() for take in takes]
         if len(windows) < SPLIT_TAKES:
             windows = [w for take in windows for w in take.split(SPLIT_FRAMES)]

@@ -87,8 +87,7 @@ def remembered(data: Features, style: str, rows: Tensor, memory: int) -> Tensor:
         return data.inputs[style][rows]
     steps = torch.arange(memory, -1, -1)
     before = (rows[:, None] - steps).clamp_min(0)
-    number = data.takes[style]
-    frame = torch.arange(len(number)) if data.frames is None else data.frames[style]
+    number, frame = data.takes[style], data.frames[style]
     same = (number[before] == number[rows, None]) & (frame[before] == frame[rows, None] - steps)
     before = torch.where(same, before, rows[:, None] + 1 - same.sum(1, keepdim=True))
     return data.inputs[style][before.flatten()].unflatten(0, before.shape)

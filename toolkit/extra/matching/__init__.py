@@ -59,8 +59,7 @@ class Matching(Predictor):
             rows.append(x * scale)
             frames.append(outputs.apply(z))
             numbers.append(torch.full((len(x),), number))
-            take = data.takes[style]
-            at = torch.arange(len(take)) if data.frames is None else data.frames[style]
+            take, at = data.takes[style], data.frames[style]
             goes_on = (take[1:] == take[:-1]) & (at[1:] == at[:-1] + 1)
             follows.append(torch.nn.functional.pad(goes_on, (0, 1)))
         self.register_buffer("scale", scale)
