@@ -152,5 +152,5 @@ def _read(base: str | Path | None,
         return *run.parts(), *run
     path = model_file(base)
     tensors, parts = model_files.read(path, "model")
-    model = Predictor.from_parts(path, tensors, parts, None)
+    model = Predictor.from_parts(path, tensors, parts)
     return tensors, parts, model, StyleBank.from_parts(path, tensors, parts)

@@ -230,8 +230,8 @@ class Predictor(nn.Module):
                          **factors}
 
     @classmethod
-    def from_parts(cls, path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict,
-                   layout: Layout | None = None) -> "Predictor":
+    def from_parts(cls, path: str | os.PathLike, tensors: dict[str, Tensor],
+                   parts: dict) -> "Predictor":
         """The model among what `toolkit.io.model_files.read` returned for ``path``.
 
         It is ready to predict. No code of the file is run: a model of your own must have been
@@ -240,8 +240,7 @@ class Predictor(nn.Module):
         Raises
         ------
         ValueError
-            If the file does not hold a model, no model of its name is registered, or the model has
-            another layout than ``layout``, the expected one of its training data.
+            If the file does not hold a model, or no model of its name is registered.
         """
         with model_files.intact(path, "the model's description"):
             d = parts["model"]
@@ -256,9 +255,6 @@ class Predictor(nn.Module):
             raise ValueError(f"{path}: it holds a model {name!r}, which is not registered; import "
                              f"the module that registers it, {module!r}, before you load the file; "
                              f"in a command, name it before the file: {module}:{path}")
-        expected = stored if layout is None else dataclasses.replace(layout, phase=stored.phase)
-        if why := stored.difference(expected):
-            raise ValueError(f"{path}: the layout is not the expected one: {why}")
         with model_files.intact(path, "the model"):
             model = model_files.restore(
                 lambda: build(name, stored, d["n_styles"], sizes, generator=whole), tensors,

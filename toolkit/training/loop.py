@@ -8,7 +8,7 @@ weights as a run without a stop, bit for bit.
 import math
 import os
 import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -17,7 +17,7 @@ import torch
 from torch import Tensor
 
 from toolkit import networks
-from toolkit.features import Features, check_style, splits
+from toolkit.features import Features, Layout, check_style, splits
 from toolkit.features.splits import seeded
 from toolkit.io import model_files
 from toolkit.io.progress import progress_bar
@@ -199,8 +199,12 @@ def restore(path: str | os.PathLike, model: Predictor, adam: torch.optim.Adam,
     ValueError if it is not a checkpoint, belongs to another layout, config or other data, or is
     damaged.
     """
-    # the model's own check names the difference of layouts
-    Predictor.from_parts(path, *model_files.read(path, "checkpoint"), model.layout)
+    described = model_files.read(path, "checkpoint")[1]
+    with model_files.intact(path, "the model's description"):
+        stored = Layout.from_json(described["model"]["layout"])
+    expected = replace(model.layout, phase=stored.phase)  # another model is another config
+    if why := stored.difference(expected):
+        raise ValueError(f"{path}: the layout is not the expected one: {why}")
     numbers, tensors = _checkpoint(model, adam, config).load(path)
     with model_files.intact(path, "the checkpoint"):
         state = State(**numbers, best=starting(tensors, "best."))
