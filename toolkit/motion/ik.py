@@ -213,12 +213,21 @@ def turn_arms(skeleton: Skeleton, rotations: Tensor, root: Tensor, wanted: Tenso
     J, 3]`` are predicted positions in the world, metres; only rows of arm joints are read.
     """
     turned, positions = forward_kinematics(skeleton, rotations, root)
-    for joints, children in arm_bones(skeleton):
-        bone = R.rotate(turned[..., joints, :], skeleton.offsets[children].to(rotations))
-        aim = R.between(bone, wanted[..., children, :] - positions[..., joints, :])
-        turned[..., joints, :] = R.multiply(aim, turned[..., joints, :])
-        positions[..., children, :] = positions[..., joints, :] + R.rotate(aim, bone)
+    for joints, ends in arm_bones(skeleton):
+        aim(skeleton, turned, positions, joints, ends, wanted)
     return _ends_follow(skeleton, turned)
+
+
+def aim(skeleton: Skeleton, turned: Tensor, positions: Tensor, joints: list[int], ends: list[int],
+        wanted: Tensor) -> None:
+    """Turn joints so that the bones to their ``ends`` point at ``wanted [..., J, 3]`` positions.
+
+    All are in the world. It changes ``turned [..., J, 4]`` and ``positions [..., J, 3]``.
+    """
+    bone = R.rotate(turned[..., joints, :], skeleton.offsets[ends].to(turned))
+    turn = R.between(bone, wanted[..., ends, :] - positions[..., joints, :])
+    turned[..., joints, :] = R.multiply(turn, turned[..., joints, :])
+    positions[..., ends, :] = positions[..., joints, :] + R.rotate(turn, bone)
 
 
 def plant_feet(skeleton: Skeleton, rotations: Tensor, root: Tensor, toes: Tensor) -> Tensor:

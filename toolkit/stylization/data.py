@@ -14,6 +14,7 @@ from torch import Tensor, nn
 
 from toolkit.features.splits import generator
 from toolkit.motion import Clip, Skeleton, local_rotations, root_frames, rotations as R
+from toolkit.motion.ik import aim
 from toolkit.motion.tensors import summary
 from toolkit.motion.trajectory import heading
 from toolkit.stylization.graph import SkeletonGraph
@@ -209,15 +210,10 @@ def to_clip(x: Tensor, root_velocity: Tensor, source: Clip) -> Clip:
 def _aimed(skeleton: Skeleton, world: Tensor, root: Tensor, wanted: Tensor) -> Tensor:
     """World rotations ``[F, N, 4]`` by which bones without siblings point at ``wanted`` places."""
     positions = root[:, None].expand_as(wanted).clone()
-    levels = skeleton.levels(world.device)
-    for joints in levels.order.split(levels.sizes)[1:]:
-        parents = torch.tensor([skeleton.parents[j] for j in joints.tolist()])
-        alone = torch.tensor([skeleton.parents.count(p) == 1 for p in parents.tolist()])
-        bones = R.rotate(world[:, parents], skeleton.offsets[joints])
-        turn = R.between(bones, wanted[:, joints] - positions[:, parents])
-        turn = torch.where(alone[:, None], turn, R.identity(1))
-        world[:, parents[alone]] = R.multiply(turn, world[:, parents])[:, alone]
-        positions[:, joints] = positions[:, parents] + R.rotate(turn, bones)
+    for j, p in enumerate(skeleton.parents[1:], 1):
+        positions[:, j] = positions[:, p] + R.rotate(world[:, p], skeleton.offsets[j])
+        if skeleton.parents.count(p) == 1:
+            aim(skeleton, world, positions, [p], [j], wanted)
     return world
 
 
