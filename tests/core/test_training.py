@@ -543,5 +543,5 @@ def test_the_recorded_model_lies_beside_the_package(tmp_path, monkeypatch):
     with pytest.raises(ValueError, match="no model 'real': procedural or recorded"):
         tk.pretrained("real")
     monkeypatch.setattr("toolkit.training.run.RECORDED", tmp_path / "recorded.safetensors")
-    with pytest.raises(FileNotFoundError, match=r"it is in the repository.*train it: python -m"):
+    with pytest.raises(FileNotFoundError, match=r"it is in the repository.*has the command"):
         tk.pretrained("recorded")
