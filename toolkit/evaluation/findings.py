@@ -22,6 +22,9 @@ STEP = 1 / 30  # seconds between the positions of an acceleration or a jerk, at 
 RUNNING = 1.6  # m/s of the hips, over half a second, from which the limits of runs hold
 LOW, FLAT = 0.02, 0.02  # metres of toe and ankle above where they stand: the foot is flat
 STANCE, TOUCH = 0.2, 0.1  # seconds that a foot is flat at least, in a step and in a short one
+# A planted foot goes along with the hips at less than a share of their speed, or of a slow walk's.
+BEHIND, STROLL = 0.5, 0.4
+STILL, SLOW = 0.1, 0.3  # m/s of a toe that turns on the spot, and of one near its lowest place
 REST = 0.5  # seconds over which a standing body drifts
 ALIKE = 0.3  # largest speed of the toes from the hips, over that of the hips, of a gliding body
 LIFTED = 0.1  # metres above the other: a foot that does not stand at all
@@ -184,14 +187,14 @@ def _feet(clip: Clip, at: dict[str, Tensor]) -> Iterator[tuple[str, str, Tensor]
         velocity = _moved(toe, fps, TOUCH)
         # A swinging foot overtakes the hips; a planted one stays behind them, even if it slides.
         along = (velocity[:, [0, 2]] * hips).sum(-1) / travel.clamp_min(0.05)
-        behind = flat & (along < 0.5 * travel.clamp_min(0.4))
+        behind = flat & (along < BEHIND * travel.clamp_min(STROLL))
         slides = torch.minimum(velocity.norm(dim=-1), _moved(ankle, fps, TOUCH).norm(dim=-1))
         for kind, held in (("slide", STANCE), ("short slide", TOUCH)):
             yield kind, f"{side}_toe", _only(slides, _throughout(behind, held, fps))
         heel = _speed(ankle[:, [0, 2]], fps, TOUCH)
-        still = flat & (velocity.norm(dim=-1) < 0.1)
+        still = flat & (velocity.norm(dim=-1) < STILL)
         yield "pivot", f"{side}_foot", _only(heel, _throughout(still, TOUCH, fps))
-        slow = velocity.norm(dim=-1) < 0.3
+        slow = velocity.norm(dim=-1) < SLOW
         lowest.append(toe[slow, 1].quantile(0.05) if slow.any() else toe.new_tensor(torch.nan))
         strides.append((velocity[:, [0, 2]] - hips).norm(dim=-1))
     # A body glides if its feet go along with its hips for a while, as no step does.
