@@ -18,7 +18,7 @@ from experiments.tables import Result, Store
 from toolkit import features, phases, training
 from toolkit.extra.benchmark import Judges, score, walk
 from toolkit.features import split_joints
-from toolkit.motion import Clip
+from toolkit.motion import Clip, trajectory
 from toolkit.networks.phase import advance
 from toolkit.runtime.frame import to_frame
 from toolkit.training import Run
@@ -113,7 +113,7 @@ def predicted(trained: Run, clips: list[Clip], source) -> tuple[dict[str, float]
         groups.setdefault((clip.style, clip.gait), []).append(clip)
     for (style, _), group in groups.items():
         for clip, ph in zip(group, phases.extract_group(group, source=source), strict=True):
-            if len(clip) < features.features.SHORTEST + WHOLE:
+            if len(clip) < trajectory.WHOLE + WHOLE:
                 continue
             rows = features.frames(clip, ph)
             x, p, z = rows.inputs, rows.phases, rows.outputs

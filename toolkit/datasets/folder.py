@@ -37,8 +37,7 @@ GAITS |= {"walking": "walk", "running": "run", "jogging": "jog"}
 GAITS |= dict.fromkeys(("idle", "idling", "stand", "standing"), "ID")
 GAITS |= {code.lower(): code for code in ("FW", "BW", "SW", "FR", "BR", "SR", "ID", "TR1", "TR2",
                                           "TR3")}
-# seconds of a clip with one usable frame
-SHORTEST = (trajectory.SAMPLES[-1] - trajectory.SAMPLES[0] + 2) / trajectory.FPS
+SHORTEST = trajectory.WHOLE / trajectory.FPS  # seconds of a clip with one usable frame
 NAMED = 10  # files that a warning names
 ALIKE = 1.3  # ratio of sizes up to which two bodies are used together
 SUFFIXES = readers()

@@ -24,7 +24,6 @@ from toolkit.motion.tensors import few, shown, summary
 KINDS = ("inputs", "phases", "outputs", "clips")  # each has a normaliser
 FRAME_KINDS = KINDS[:3]  # those with a row per frame
 CLIP_FRAMES, CLIP_HOP = 240, 120
-SHORTEST = trajectory.SAMPLES[-1] - trajectory.SAMPLES[0] + 2  # frames with one usable frame
 
 
 @dataclass(frozen=True, eq=False)

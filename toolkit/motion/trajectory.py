@@ -11,6 +11,7 @@ from toolkit.motion.clip import RootFrames
 FPS = 60
 #: Default sample offsets of a `toolkit.features.Layout`, frames: six past, five future ones.
 SAMPLES = tuple(range(-60, 60, 10))
+WHOLE = SAMPLES[-1] - SAMPLES[0] + 2  # frames of a clip with one whole window and the next one
 PAST = -SAMPLES[0]  # frames of the past that a character keeps; no offset reaches further back
 
 
