@@ -304,6 +304,7 @@ def _of(measure: Callable[..., float], judge: _Cached, clips: Sequence, *others:
 def of_styles(styles: Sequence[str], measure: Callable[[list[int]], float]) -> Statistic:
     """A `Statistic` of a measure of sets, whose bootstrap keeps the number of clips of each style.
 
+    It is stratified: a draw over all clips becomes, by a remainder, one within the clip's style.
     ``measure`` takes indices of clips.
     """
     alike = [[n for n, other in enumerate(styles) if other == style] for style in styles]
