@@ -28,7 +28,7 @@ GROUPS = {
     "contacts": ("motion/contacts.py", "contacts motion measures"),
     "fit": ("phases/sinusoids.py phases/variable_projection.py phases/viterbi.py phases/windows.py",
             "fit phases"),
-    "features": ("features/features.py features/layout.py", "features held_out"),
+    "features": ("features/features.py features/layout.py", "features held_out networks"),
     "networks": ("networks/experts.py networks/film.py", "networks adapters convolution"),
     "frame": ("runtime/frame.py runtime/recording.py runtime/steering.py runtime/rules.py",
               "runtime compiled"),

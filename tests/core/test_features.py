@@ -263,5 +263,6 @@ def test_the_mean_velocity_of_a_style_clip_is_that_of_its_root():
 def test_the_frame_numbers_of_two_recordings_are_more_than_a_style_clip_apart(walk_clip):
     data = features.build([walk_clip, walk_clip], source="contact")
     numbers, takes = data.frames["Neutral"], data.takes["Neutral"]
+    assert int(numbers[0]) == 60  # the first that has a second before it
     assert int(numbers[takes == 1].min() - numbers[takes == 0].max()) > features.CLIP_FRAMES
     assert int(data.spans["Neutral"][-1, 0]) > int(numbers[takes == 0].max())

@@ -141,8 +141,9 @@ def test_tables_are_looked_up_by_number(name):
 
 def test_layouts_of_other_phases():
     layout = tree(4)
-    for kind, width in (("local", 90), ("global", 75), ("none", 74)):
-        assert dataclasses.replace(layout, phase=kind).n_outputs == width
+    for kind, width, phases in (("local", 90, 8), ("global", 75, 1), ("none", 74, 0)):
+        own = dataclasses.replace(layout, phase=kind)
+        assert (own.n_outputs, own.n_phases) == (width, phases)
         assert dataclasses.replace(tree(25), phase=kind).n_outputs == width + 252
     for name in networks.MODELS:
         own = tiny_model(name=name).layout
