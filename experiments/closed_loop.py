@@ -10,6 +10,7 @@ from typing import Annotated
 
 import torch
 import typer
+from course import footsteps
 from torch import Tensor
 from tqdm import tqdm
 
@@ -206,7 +207,7 @@ def of_clip(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
                     for part in (at["toe"], at["foot"]))
     thigh, shank = at["knee"] - at["hip"], at["foot"] - at["knee"]
     bend = R.angle(thigh, shank)
-    feet = metrics.feet(clip, contact)
+    feet = footsteps.feet(clip, contact)
     return {
         "toes": float(toes[on].mean()), "ankle": float(ankles[on].max()) if on.any() else 0.0,
         "knee": float(bend.rad2deg().diff(n=2, dim=0).abs().max()) * clip.fps**2 / 1000,

@@ -9,6 +9,7 @@ from itertools import pairwise, product
 
 import pytest
 import torch
+from course import halves
 from course.medley import medley
 from hypothesis import given
 from strategies import clips, human, human_clip
@@ -140,7 +141,7 @@ def test_mirror_images_keep_their_take_and_exchange_left_and_right():
 
 def test_a_split_parts_no_take(walks):
     many = [clip.cut(start, start + 70) for clip in walks for start in (0, 30, 60, 90)]
-    first, second = st.split(st.build(many, mirror=True), 0.5, seed=1)
+    first, second = halves.split(st.build(many, mirror=True), 0.5, seed=1)
     assert not set(first.take.tolist()) & set(second.take.tolist())
     assert len(second.take.unique()) == len(first.take.unique()) == 8
     for part in (first, second):
@@ -148,7 +149,7 @@ def test_a_split_parts_no_take(walks):
         assert kinds == {(0, 0), (0, 1), (1, 0), (1, 1)}
     # what is chosen of a domain does not depend on the other one
     own = [clip for clip in many if clip.style == second.domains[1]]
-    alone = st.split(st.build(own, mirror=True), 0.5, seed=1)[1]
+    alone = halves.split(st.build(own, mirror=True), 0.5, seed=1)[1]
     assert torch.equal(alone.x[:, :3], second.select(second.domain == 1).x[:, :3])
 
 
@@ -518,7 +519,7 @@ def test_bad_input_is_one_line(walks, model, motions, tmp_path):
         (lambda: st.stylize(model, clip.cut(0, 3), "Zombie"), "pooling needs 4 frames"),
         (lambda: model.translate(torch.zeros(1, 7, 30, 23), torch.zeros(1, 8)), "a multiple of 4"),
         (lambda: model.code_of(torch.zeros(1, 7, 32, 23), "Zombie"), "T >= 64"),
-        (lambda: st.split(motions, 1.0, 0), "must lie between 0 and 1, got 1"),
+        (lambda: halves.split(motions, 1.0, 0), "must lie between 0 and 1, got 1"),
         (lambda: training.Config(losses=("adv", "style")), "unknown loss style; known: adv, cyc"),
         (lambda: training.Config(losses=("cyc",)), "the losses need adv"),
         (lambda: training.Config(rates={"generator": 1.0}), "rates must be numbers from 0"),

@@ -5,6 +5,7 @@ import math
 
 import pytest
 import torch
+from course import halves
 
 import toolkit as tk
 from experiments.stylization import aberman, comparison, evaluation, floors, rotation, sets
@@ -51,7 +52,7 @@ class Unchanged(Paste):
 
 
 def test_a_judge_names_contents_and_styles_of_takes_it_never_saw(motions):
-    train, test = data.split(motions, 0.4, 0)
+    train, test = halves.split(motions, 0.4, 0)
     for kind, label in itertools.product((Judge, NetworkJudge), ("content", "domain")):
         judge = kind.train(train, label)
         assert (judge.named(test.x) == getattr(test, label)).float().mean() > 0.9

@@ -8,11 +8,11 @@ The style comes from a reference clip or from noise.
 >>> tired = tk.stylization.stylize(run.stylizer, clip, domain="exhausted", seed=3)
 """
 
-from toolkit.stylization.data import Motions, Statistics, build, split
+from toolkit.stylization.data import Motions, Statistics, build
 from toolkit.stylization.graph import SkeletonGraph
 from toolkit.stylization.networks import Discriminator, Sizes, Stylizer, pretrained
 from toolkit.stylization.restyling import stylize
 from toolkit.stylization.training import Config, Run, fit
 
 __all__ = ["Config", "Discriminator", "Motions", "Run", "Sizes", "SkeletonGraph", "Statistics",
-           "Stylizer", "build", "fit", "pretrained", "split", "stylize"]
+           "Stylizer", "build", "fit", "pretrained", "stylize"]
