@@ -10,7 +10,6 @@ from typing import Annotated
 
 import torch
 import typer
-from course import footsteps
 from torch import Tensor
 from tqdm import tqdm
 
@@ -207,7 +206,7 @@ def of_clip(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
                     for part in (at["toe"], at["foot"]))
     thigh, shank = at["knee"] - at["hip"], at["foot"] - at["knee"]
     bend = R.angle(thigh, shank)
-    feet = footsteps.feet(clip, contact)
+    feet = metrics.feet(clip, contact)
     return {
         "toes": float(toes[on].mean()), "ankle": float(ankles[on].max()) if on.any() else 0.0,
         "knee": float(bend.rad2deg().diff(n=2, dim=0).abs().max()) * clip.fps**2 / 1000,

@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import torch
-from course import footsteps
 from course.comparison import block_errors, hands, over_columns, shared_baselines
 from torch import Tensor
 from tqdm import tqdm
@@ -296,7 +295,7 @@ def _gait(model: Predictor, walk: list[CharacterState], laps: list[CharacterStat
     return {"upright": float(metrics.upright(clip) and metrics.upright(lap)),
             "speed": metrics.speed(clip),
             "skate": skate, "skate_ik": skate_ik, "path": metrics.path_error(lap, course),
-            "steps": footsteps.feet(clip, contact)["steps"]}
+            "steps": metrics.feet(clip, contact)["steps"]}
 
 
 def compare(data: Features, source: dict, plan: Plan, models: Sequence[str], seeds: int,

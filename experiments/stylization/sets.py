@@ -13,11 +13,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import torch
+from course.halves import split
 from torch import Tensor
 
 from toolkit import datasets
 from toolkit.features.splits import generator
-from toolkit.stylization.data import Motions, build, split
+from toolkit.stylization.data import Motions, build
 
 PARTS = ("test", "validation")
 FIFTHS = (*PARTS, "third", "fourth", "fifth")  # of the takes of dataset 1

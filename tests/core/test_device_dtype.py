@@ -8,7 +8,6 @@ import dataclasses
 
 import pytest
 import torch
-from course import footsteps
 from torch.overrides import TorchFunctionMode
 
 import toolkit as tk
@@ -84,7 +83,7 @@ def numbers(m: Material) -> list:
     return [
         m.clip.resample(30.0), [phases.extract(m.clip, s) for s in ("hybrid", "contact-free")],
         phases.extract(m.clip, "contact"), built.inputs, built.clips, built.normalisers(),
-        footsteps.feet(m.clip), metrics.path_error(m.clip, [(0, 0), (0, 3)]),
+        metrics.feet(m.clip), metrics.path_error(m.clip, [(0, 0), (0, 3)]),
         trajectory.sample(tk.motion.root_frames(m.clip), frames),
     ]
 

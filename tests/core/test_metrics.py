@@ -8,7 +8,6 @@ from types import SimpleNamespace
 
 import pytest
 import torch
-from course import footsteps
 
 import toolkit as tk
 from toolkit import metrics
@@ -227,7 +226,7 @@ def test_what_cannot_be_measured_is_refused(walks):
         (metrics.geodesic, (stick(), real), "the joints differ; retarget"),
         (metrics.skate_kimodo, (clip.cut(0, 1),), "foot skate needs two frames"),
         (metrics.foot_skate, (real, torch.zeros(3, 2)), r"shape \[240, 2\], got \[3, 2\]"),
-        (footsteps.feet, (clip.cut(0, 2),), "acceleration needs three frames, got 2"),
+        (metrics.feet, (clip.cut(0, 2),), "acceleration needs three frames, got 2"),
         (metrics.frechet_distance, (torch.zeros(5, 4), torch.zeros(5, 3)), "expected features"),
     ):
         with pytest.raises(ValueError, match=reason):
@@ -334,7 +333,7 @@ def test_planted_feet_do_not_skate_and_a_carried_clip_does(walk_clip):
     assert min(metrics.foot_skate(carried).values()) > 0.25  # a low toe counts at any speed
     hop = tk.datasets.load("procedural", styles="HopLeft", gaits="FW", seconds=2.0)[0]
     assert MEASURES["skate"](hop) == pytest.approx(metrics.foot_skate(hop)["left"], rel=1e-5)
-    assert footsteps.feet(carried, truth)["skate"] == pytest.approx(0.3, abs=0.03)
+    assert metrics.feet(carried, truth)["skate"] == pytest.approx(0.3, abs=0.03)
     none = torch.zeros(len(walk_clip), 2)
     assert all(math.isnan(v) for v in metrics.foot_skate(walk_clip, none).values())
 
@@ -346,7 +345,7 @@ def test_feet_of_a_figure_computed_by_hand():
     still = stick()
     root = still.root_positions + hop[:, None] * torch.tensor([0.0, 1.0, 0.0])
     on = (hop == 0).float()[:, None].expand(-1, 2)
-    found = footsteps.feet(still.replace(root_positions=root), on)
+    found = metrics.feet(still.replace(root_positions=root), on)
     assert found["clearance"] == pytest.approx(0.1, abs=1e-5)
     assert found["skate"] == 0.0
     assert found["steps"] == pytest.approx(2 * 20 / 41)
@@ -356,8 +355,8 @@ def test_feet_of_a_figure_computed_by_hand():
 
 def test_steps_are_landings_of_both_feet():
     contact = torch.tensor([[1.0, 0.0], [0.2, 0.9], [0.9, 0.8], [0.9, 0.1], [0.4, 0.7], [0.6, 0.7]])
-    assert footsteps.step_rate(contact, 60.0) == pytest.approx(4 / (6 / 60))
-    assert footsteps.step_rate(torch.ones(60, 2), 60.0) == 0.0
+    assert metrics.step_rate(contact, 60.0) == pytest.approx(4 / (6 / 60))
+    assert metrics.step_rate(torch.ones(60, 2), 60.0) == 0.0
 
 
 def test_speed_height_and_uprightness(walk_clip):

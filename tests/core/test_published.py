@@ -7,7 +7,6 @@ import math
 import numpy as np
 import pytest
 import torch
-from course import footsteps
 
 import toolkit as tk
 from toolkit import runtime
@@ -91,12 +90,12 @@ def test_styles_have_the_published_speeds(published):
 
 
 def test_feet_of_real_motion(walk):
-    real = footsteps.feet(walk.cut(327))
+    real = tk.metrics.feet(walk.cut(327))
     assert real["skate"] < 0.03
     assert 0.09 < real["clearance"] < 0.12
     assert 1.3 < real["steps"] < 1.6
     with pytest.raises(ValueError, match="have the shape"):
-        footsteps.feet(walk, torch.ones(3, 2))
+        tk.metrics.feet(walk, torch.ones(3, 2))
 
 
 def test_all_styles_but_drunk_walk_upright_with_toes_that_stand(published):
@@ -116,7 +115,7 @@ def test_all_styles_but_drunk_walk_upright_with_toes_that_stand(published):
     for i in range(0, 20, 2):
         clip = runtime.record(model, run[240:], character=i)
         contacts = torch.stack([state.contacts[i] for state in run[240:]])
-        skates.append(footsteps.feet(clip, contacts)["skate"])
+        skates.append(tk.metrics.feet(clip, contacts)["skate"])
     assert sorted(skates)[5] < 0.005
     assert max(skates) < 0.05
     clip = runtime.record(model, run, character=others.index(50))

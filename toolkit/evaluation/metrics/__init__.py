@@ -12,5 +12,6 @@ __getattr__, __dir__, __all__ = lazy_loader.attach(__name__, submod_attrs={
               "trajectory_error"],
     "quality": ["floor", "jerk", "motion", "shake", "skate", "slow_motion", "stretch", "through"],
     "sets": ["diversity", "fmd", "frechet_distance", "multimodality", "nearest", "recognition"],
-    "steps": ["foot_skate", "skate_camdm", "skate_kimodo", "skate_rsmt", "skate_smoodi"],
+    "steps": ["feet", "foot_skate", "skate_camdm", "skate_kimodo", "skate_rsmt", "skate_smoodi",
+              "step_rate"],
 })

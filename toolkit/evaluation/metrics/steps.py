@@ -1,4 +1,4 @@
-"""Foot skate, by our own measure and by those of four papers.
+"""What feet do: contacts, steps and skate, by our own measures and by those of four papers.
 
 The papers' measures use heights above the standing height of the clip's toes
 (`toolkit.motion.contacts.standing_height`), so that they do not depend on where a rig has its toe
@@ -6,6 +6,7 @@ joint or a file its floor. The sources use the height above y = 0 or above the l
 """
 
 import math
+from itertools import pairwise
 
 import torch
 from torch import Tensor
@@ -32,6 +33,64 @@ def foot_skate(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
                else _checked(clip, contact))
     speeds = contacts.velocities(contacts.toes_of(clip), clip.fps).norm(dim=-1)
     return {side: float(speeds[contact[:, i] > 0.5, i].mean()) for i, side in enumerate(FEET)}
+
+
+def feet(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
+    """What feet do, in four numbers that tell sliding, swing and haste apart.
+
+    Compare them with those of real motion.
+
+    Parameters
+    ----------
+    clip
+        The motion.
+    contact : Tensor [F, 2], optional
+        Contacts in [0, 1], right and left, for example those of a network. By default those of
+        `toolkit.motion.contacts.detect`: a toe that is low and slow, so that skate is under its
+        limit of speed.
+
+    Returns
+    -------
+    dict
+        ``skate``, mean horizontal speed of toes in contact, m/s; ``clearance``, metres: how high a
+        toe is lifted between two contacts over where it stands (mean over the swings of both
+        feet); ``steps``, landings per second; ``acceleration``, 99th percentile of the toes',
+        m/s². NaN where there is no contact or no swing.
+
+    Raises
+    ------
+    ValueError
+        If contacts are not of the clip's frames, or the clip has fewer than three frames.
+    """
+    contact = contacts.detect(clip) if contact is None else _checked(clip, contact)
+    if len(clip) < 3:
+        raise ValueError(f"{clip.name}: acceleration needs three frames, got {len(clip)}")
+    toes = contacts.toes_of(clip)
+    velocity = contacts.velocities(toes, clip.fps)
+    contact = contact > 0.5
+    swings = []
+    for side in range(len(FEET)):
+        on, height = contact[:, side], toes[:, side, 1]
+        floor = height[on].median()
+        for a, b in pairwise(on.nonzero()[:, 0].tolist()):
+            if b > a + 1:  # frames in the air between two contacts
+                swings.append(float(height[a + 1 : b].max() - floor))
+    acceleration = (velocity[2:] - velocity[1:-1]).mul(clip.fps).norm(dim=-1)
+    return {
+        "skate": float(velocity[..., [0, 2]].norm(dim=-1)[contact].mean()),
+        "clearance": sum(swings) / len(swings) if swings else math.nan,
+        "steps": step_rate(contact.float(), clip.fps),
+        "acceleration": float(acceleration.flatten().quantile(0.99)),
+    }
+
+
+def step_rate(contact: Tensor, fps: float) -> float:
+    """Landings of both feet per second, from contacts ``[F, 2]`` in [0, 1].
+
+    It is 0 for a character that only slides.
+    """
+    on = contact > 0.5
+    return int((on[1:] & ~on[:-1]).sum()) * fps / len(contact)
 
 
 def skate_smoodi(clip: Clip) -> float:
