@@ -78,12 +78,13 @@ RIGHT["03b.2"] = [
 RIGHT["03b.3"] = [LEG @ torch.tensor([[0., -1, 0], [1, 0, 0], [0, 0, 1]])]
 WRONG["03b.3"] = [LEG + .01, 2 * LEG, LEG[:2]]
 RIGHT["04.1"] = [
-    lambda style, corners: F.normalize(torch.tensor([style[c] for c in corners]), p=1, dim=0),
+    dict(Aeroplane=.4, Zombie=.25, Neutral=.35), dict(Neutral=.34, Zombie=.27, Aeroplane=.39),
+    dict(Neutral=.35, Zombie=.25, Aeroplane=.4), dict(Neutral=.36, Zombie=.25, Aeroplane=.39),
 ]
 WRONG["04.1"] = [
-    lambda style, corners: [style[c] for c in corners],
-    lambda style, corners: torch.tensor([*style.values()]) / sum(style.values()),
-    lambda style, corners: torch.softmax(torch.tensor([style[c] for c in corners]), 0),
+    dict(Neutral=.25, Zombie=.25, Aeroplane=.5), dict(Neutral=1/3, Zombie=1/3, Aeroplane=1/3),
+    dict(Neutral=0, Zombie=.5, Aeroplane=.5), dict(Neutral=.35, Zombie=.39, Aeroplane=.26),
+    dict(Zombie=.6, Aeroplane=.4), dict(Neutral=.2, Zombie=.4, Aeroplane=.4),
 ]
 RIGHT["04.2"] = [[(0, .1 * math.sin(k), 0) for k in range(60)]]
 WRONG["04.2"] = [

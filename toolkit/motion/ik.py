@@ -83,13 +83,13 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, co
               left: Tensor, seconds: float) -> tuple[Tensor, Tensor]:
     """Lock toes in contact where they landed (foot-contact IK, Mason et al. 2022, section 4.4).
 
-    Departure from the paper: there a toe's target is a blend of its last position and the
-    prediction, weighted by contact. With a weight below 1 the toe slides in each frame, and is
-    released within a frame or two. We lock a toe fully, in three dimensions, while its contact is
-    above one half. After that, its offset from the prediction decays like a critically damped
-    spring that starts at rest, so that the toe does not jump. The offset of a toe is at most
-    `SLACK`, and its part towards the other toe at most a quarter of their distance or `NEAR`, so
-    that the legs do not cross when a character turns on the spot.
+    The paper does not say how its toes get their targets; this rule is ours. A blend of the last
+    position and the prediction, weighted by contact, lets a toe slide in each frame where the
+    weight is below 1. We lock a toe fully, in three dimensions, while its contact is above one
+    half. After that, its offset from the prediction decays like a critically damped spring that
+    starts at rest, so that the toe does not jump. The offset of a toe is at most `SLACK`, and its
+    part towards the other toe at most a quarter of their distance or `NEAR`, so that the legs do
+    not cross when a character turns on the spot.
 
     Parameters
     ----------
@@ -125,10 +125,10 @@ def sink(drop: Tensor, hips: Tensor, ankles: Tensor, length: Tensor, contacts: T
          seconds: float) -> Tensor:
     """How far the hips go down so that the legs reach the ankles of toes in contact.
 
-    Departure from the paper: there a leg that is too short for its target is stretched, and its toe
-    slides. The network predicts hips and toes apart from each other, and a locked toe stays behind
-    its prediction, so that targets are up to 7 % of a leg's length too far. The hips sink by what
-    the leg that needs most lacks (smoothly, over `ROOM` on both sides of its reach), at most by
+    This rule is ours, too: without it, the toe of a leg that is too short for its target slides.
+    The network predicts hips and toes apart from each other, and a locked toe stays behind its
+    prediction, so that targets are up to 7 % of a leg's length too far. The hips sink by what the
+    leg that needs most lacks (smoothly, over `ROOM` on both sides of its reach), at most by
     `DEEPEST` and with `FALL`. They come back as a critically damped spring. Only the drawn hips
     sink: where the network got them back, some styles kept them down, and glided.
 

@@ -2,16 +2,35 @@
 restyling.
 """
 
+from functools import cache
+
 import torch
 from course import plane
 from course.checks import Exercise, draws, equals, same_as, shows
 
+import toolkit as tk
 from toolkit.motion.contacts import velocities
 
+CORNERS = "Neutral", "Zombie", "Aeroplane"  # of exercise 04.1
 
-def _barycentric(style, corners):
-    weights = torch.tensor([style[name] for name in corners], dtype=torch.float64)
-    return weights / weights.sum()
+
+@cache
+def _hands(*weights: float) -> tuple[float, float]:
+    """How far the hands of a blend of `CORNERS` are ahead, and apart; metres."""
+    model, bank = tk.pretrained()
+    style = sum(weight * bank[name] for weight, name in zip(weights, CORNERS, strict=True))
+    commands = tk.runtime.straight(1.0, 3.0)
+    walk = tk.runtime.rollout(tk.runtime.quick(model, len(commands)), commands, style=style)
+    hands = [walk.skeleton.index(f"{side}_hand") for side in ("left", "right")]
+    places = tk.motion.root_frames(walk).to_local(walk.global_positions)[60:, hands]
+    return float(places[..., 2].mean()), float((places[:, 0] - places[:, 1]).norm(dim=-1).mean())
+
+
+def _went(weights: dict) -> tuple[float, float]:
+    """The share of the way from Neutral to Zombie ahead, and to Aeroplane apart."""
+    here = _hands(*(round(float(weights[name]), 3) for name in CORNERS))
+    low, ahead, apart = _hands(1, 0, 0), _hands(0, 1, 0)[0], _hands(0, 0, 1)[1]
+    return (here[0] - low[0]) / (ahead - low[0]), (here[1] - low[1]) / (apart - low[1])
 
 
 def _toe(places) -> torch.Tensor:
@@ -58,23 +77,15 @@ CONTENTS = [0, 0, 1, 1, 2, 2]  # of the six windows of exercise 08b.2
 
 EXERCISES = {
     "04.1": Exercise(
-        same_as(
-            _barycentric,
-            lambda: [
-                ({"Old": 2.0, "Strut": 1.0, "Zombie": 1.0}, ["Old", "Strut", "Zombie"]),
-                ({"A": 0.0, "B": 5.0}, ["B", "A"]), ({"A": 1.0}, ["A"])
-            ],
-            {
-                "the weights should sum to one.": lambda style, corners: torch.tensor(
-                    [style[name] for name in corners]
-                ),
-                "the order should be that of `corners`.": lambda style, corners: (
-                    torch.tensor(list(style.values())) / sum(style.values())
-                ),
-            },
+        shows(
+            ("give a dictionary with weights of Neutral, Zombie and Aeroplane",
+             lambda x: isinstance(x, dict) and set(x) == set(CORNERS)),
+            ("the weights should sum to one", lambda x: abs(sum(x.values()) - 1) < 1e-3),
+            ("the hands are not half way ahead", lambda x: abs(_went(x)[0] - 0.5) < 0.04),
+            ("the hands are not half way apart", lambda x: abs(_went(x)[1] - 0.5) < 0.04),
         ),
-        "what do the weights of {\"Old\": 2, \"Strut\": 1} sum to, and what should they?",
-        "take the numbers in the order of corners, and divide them by their sum.",
+        "which of the two styles moves the hands ahead, and with which share are they half way?",
+        "compute both lengths of section 3 for shares of 0.2, 0.25 … and take the nearest.",
     ),
     "04.2": Exercise(
         shows(
