@@ -159,6 +159,8 @@ def test_build_against_a_slow_loop(two_walks):
             torch.testing.assert_close(getattr(data, kind)[style], known)
         assert torch.equal(data.clips[style], torch.cat([y for *_, y in parts]))
         assert data.takes[style].tolist() == [take for take, *_ in parts for _ in range(139)]
+    original, image = data.frames["Twin"].split(139)
+    assert torch.equal(original, image)  # a mirror image has the same numbers
 
 
 def test_clips_of_one_style_and_gait_share_their_phase_axes(two_walks):
