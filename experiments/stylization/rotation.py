@@ -83,12 +83,21 @@ def scored(task: sets.Task, models: Mapping[str, Stylizer],
             rows, target = evaluation.pairs(some)
             sources = some.select(rows)
             for floor, make in FLOORS.items():
-                made = [make(task.train)(sources, target)]
-                yield (floor, ""), judged(sources, target, made, judges)
+                said = judged(sources, target, [make(task.train)(sources, target)], judges)
+                yield (floor, ""), said
+            yield ("most frequent class", ""), said | {
+                "right": guessed(sources, target), "agree": torch.ones_like(said["agree"])}
             for method, model in models.items():
                 for by in evaluation.WAYS:
                     made = evaluation.results(model, some, task.references[part], by, seed)
                     yield (method, by), judged(sources, target, made, judges)
+
+
+def guessed(sources: Motions, target: Tensor) -> Tensor:
+    """``right`` of `judged` where every result is called the most frequent content and style."""
+    content = sources.content == sources.content.mode().values
+    style = target == target.mode().values
+    return torch.stack((content, style, content & style, style)).expand(len(KINDS), -1, -1)
 
 
 def judged(sources: Motions, target: Tensor, made: Sequence[Tensor],
@@ -122,7 +131,7 @@ def summary(found: Found, trainings: list[dict], seconds: float) -> Result:
         line = {"method": method, "codes": codes}
         for k, share in enumerate(SHARES):
             texts = [f"{100 * shares[j, k]:.0f}" + (
-                f" ({100 * ends[0, j, k]:.0f} to {100 * ends[1, j, k]:.0f})" if k > 1 else "")
+                f" ({100 * ends[0, j, k]:.0f}–{100 * ends[1, j, k]:.0f})" if k > 1 else "")
                 for j in range(len(KINDS))]
             line[share] = " / ".join(texts)
         lines.append(line | {"agree": float(of["agree"].float().mean()),

@@ -97,6 +97,8 @@ def test_an_interval_is_over_takes_and_a_gain_over_the_same_takes(motions, judge
     assert kept["right"][:, 0].all()
     assert not kept["right"][:, 1:3].any()
     assert kept["agree"].all()
+    guess = rotation.guessed(sources, target)[0].float().mean(-1)  # half stand, half are Zombies
+    assert guess.tolist() == [0.5, 0.5, 0.25, 0.5]
     half = (kept["take"] % 2 == 0).expand(2, 4, -1)
     low, high = rotation.interval(kept | {"right": half})
     assert ((low > 0.2) & (low < 0.4) & (high > 0.6) & (high < 0.8)).all()
