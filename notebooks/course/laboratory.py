@@ -68,10 +68,10 @@ def sliders(seconds: float = 8.0) -> Page:
         clip, truth = procedural.truth(name, "FW", seconds)
         curves = []
         for limb in ph.LIMBS:
-            left, up, ahead = ph.local_positions(clip, limb).T
-            end = clip.global_positions[:, clip.skeleton.role(limb.replace("foot", "toe"))]
-            still = -velocities(end, clip.fps).norm(dim=-1).clamp_min(0.05).log()
-            four = torch.stack((ahead, up, left, still))[:, ::2]
+            end = ph.local_positions(clip, limb)
+            left, up, ahead = end.T
+            speed = velocities(end, clip.fps).norm(dim=-1)
+            four = torch.stack((ahead, up, left, speed))[:, ::2]
             four = (four - four.mean(1, keepdim=True)) / four.std(1, keepdim=True)
             curves.append([[round(x, 2) for x in curve] for curve in four.tolist()])
         turns = (truth.phase.diff(dim=0) + torch.pi) % (2 * torch.pi) - torch.pi
@@ -79,7 +79,8 @@ def sliders(seconds: float = 8.0) -> Page:
             "name": name, "curves": curves,
             "phase": [[round(x, 3) for x in row] for row in truth.phase[::2].T.tolist()],
             "hertz": (turns.mean(0).abs() * clip.fps / (2 * torch.pi)).tolist()})
-    data = {"styles": styles, "fps": 30, "names": ["ahead", "up", "to the left", "stillness"]}
+    names = ["ahead", "up", "to the left", "speed over the hips"]
+    data = {"styles": styles, "fps": 30, "names": names}
     page = Path(__file__).with_suffix(".html").read_text(encoding="utf-8")
     return show(page.replace("DATA", embed(data)), 460)
 
