@@ -270,16 +270,13 @@ def periodicity(clip: Clip) -> tuple[float, int]:
     if not lags:
         return math.nan, 0
 
-    def regular(lag: int) -> Tensor:
-        half = lag // 2
-        same = correlation(windows[:, lag:], windows[:, :-lag])
-        return (same - cosine_similarity(windows[:, half:], windows[:, :-half], dim=-1)) / 2
-
-    found = torch.stack([regular(lag) for lag in lags])
-    best = found.amax(0)
+    same = torch.stack([correlation(windows[:, lag:], windows[:, :-lag]) for lag in lags])
+    opposite = [cosine_similarity(windows[:, lag // 2 :], windows[:, : -(lag // 2)], dim=-1)
+                for lag in lags]
+    regular = (same - torch.stack(opposite)).amax(0) / 2
     # of nearly equal peaks the first one counts: the second one is two cycles
-    first = (found > best - 0.05).int().argmax(0)
-    return float(best.median()), lags[int(first.median())]
+    first = (same > same.amax(0) - 0.05).int().argmax(0)
+    return float(regular.median()), lags[int(first.median())]
 
 
 def correlation(a: Tensor, b: Tensor) -> Tensor:
