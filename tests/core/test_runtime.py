@@ -290,7 +290,7 @@ def test_each_of_the_seven_models_moves_a_character(seven, name):
         *_, alone = runtime.states(model, commands, vector)
         for part in ("joints", "root", "phase"):
             apart = getattr(crowd[-1], part)[i] - getattr(alone, part)[0]
-            assert float(apart.abs().sum()) < 1e-6, part
+            assert float(apart.abs().sum()) < 1e-8, part
         assert crowd[-1].phase[i].shape == (model.layout.n_phases,)
     one, other, _ = crowd[-1].joints
     assert float((one - other).abs().max()) > 1e-4  # the vector counts
