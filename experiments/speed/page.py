@@ -28,6 +28,16 @@ COLUMNS = {"model": ["model"], "where": ["where"], "characters": ["characters", 
            "pose": ["pose with IK", 3]}
 EQUALITY = {"compared": ["compared"], **{str(f): [f"frame {f}, mm", 3, 1000] for f in FRAMES},
             "size": ["the page's file, MB", 1, 1e-6]}
+WAYS = (0.8, 3.0, (0.0, 1.0)), (1.6, 3.0, (1.0, 0.0)), (0.8, 4.0, (1.0, 1.0))  # m/s, s, where to
+#: JavaScript: poses ``[frame][root 3, rotations 4 J']`` of a character through commands in a style.
+WALK = """(character, commands, style) => {
+    character.restart();
+    return commands.map((command) => {
+        character.step(command, style);
+        character.pose();
+        return [...character.root, ...character.rotations];
+    });
+}"""
 
 
 def run(
@@ -85,19 +95,15 @@ def run(
 
 
 def _equal(net, bank, count: int) -> dict[str, dict[str, float]]:
-    """Largest distances, metres, of a joint in the walks of the page's tests, at `FRAMES`; bytes of
-    the page.
-    """
-    # in tests/, which the command line of the experiments puts on the path
-    from walks import COMMANDS, WALK, commands
-
+    """Largest distances, metres, of a joint in walks of `WAYS`, at `FRAMES`; bytes of the page."""
     vectors, found = some(bank, count), {}
-    walked = walks({"plain": net, "double precision": copy.deepcopy(net).double()}, vectors,
-                   COMMANDS)
+    orders = [command for way in WAYS for command in runtime.straight(*way)]
+    commands = [{"velocity": list(c.velocity), "facing": list(c.facing)} for c in orders]
+    walked = walks({"plain": net, "double precision": copy.deepcopy(net).double()}, vectors, orders)
     for half in (False, True):
         with tempfile.TemporaryDirectory() as folder:
             size = live_page.web(net, bank, Path(folder) / "page.html", half=half).stat().st_size
-        given = {"data": live_page.pack(net, bank, half), "commands": commands(),
+        given = {"data": live_page.pack(net, bank, half), "commands": commands,
                  "styles": vectors.tolist()}
         poses = _in_node(given, f"""
             const {{ Character }} = await load("character");
