@@ -7,6 +7,9 @@ from collections.abc import Iterator, Mapping
 from itertools import islice
 from typing import Any, NamedTuple
 
+import torch
+from torch import Tensor
+
 from toolkit.datasets.blocks import GAP, PARTS, Split
 from toolkit.motion.text import printable
 
@@ -78,6 +81,14 @@ def find(split: Split | Mapping[str, Any]) -> list[str]:
     if len(found) > MOST:
         found[MOST] = f"and more: only {MOST} leaks are listed"
     return found
+
+
+def from_middle(frames: int, takes: int) -> Tensor:
+    """Distance of each frame from the middle of its take, frames; the takes are equally long."""
+    if frames % takes:
+        raise ValueError(f"{frames} frames are not {takes} takes of one length")
+    length = frames // takes
+    return (torch.arange(frames) % length - length / 2).abs()
 
 
 def _entry(part: str, block: Any) -> _Entry | None:

@@ -60,9 +60,10 @@ def _walks() -> list[tuple]:
     ]
 
 
-def _leaks(first, second, gap) -> bool:
-    early, late = sorted((first, second))
-    return late[0] - early[1] < gap
+def _result(errors, repeat, mean, better=min, half=2.0) -> dict:
+    floor = better(repeat, mean)
+    gain, spread = 1 - errors.mean() / floor, (errors.max() - errors.min()) / half / floor
+    return {"gain": gain, "spread": spread, "clear": bool(gain > spread)}
 
 
 def _useless(labels, answers) -> bool:
@@ -209,23 +210,20 @@ EXERCISES = {
     ),
     "11.2": Exercise(
         same_as(
-            _leaks,
+            _result,
             lambda: [
-                ((0, 100), (150, 200), 50), ((150, 200), (0, 101), 50), ((0, 100), (50, 60), 10),
-                ((500, 600), (0, 100), 240), ((0, 100), (120, 900), 50), ((0, 900), (950, 960), 50),
-                ((150, 900), (0, 140), 50)
+                (torch.tensor(errors), *floors) for errors, floors in (
+                    ([0.05, 0.07, 0.066], (0.08, 0.96)), ([0.5, 0.85], (1.2, 0.9)),
+                    ([0.21, 0.19, 0.25], (0.2, 0.9)), ([0.06, 0.061], (0.9, 0.08)))
             ],
             {
-                "a gap of exactly `gap` frames is allowed.": lambda first, second, gap: (
-                    sorted((first, second))[1][0] - sorted((first, second))[0][1] <= gap
-                ),
-                "the blocks may come in any order.": lambda first, second, gap: (
-                    second[0] - first[1] < gap
-                ),
+                "the better floor has the smaller error.":
+                    lambda *case: _result(*case, better=max),
+                "this is the whole range of the seeds.": lambda *case: _result(*case, half=1.0),
             },
         ),
-        "which block is the earlier one, and how many frames lie between its stop and the other?",
-        "sort both blocks; compare the start of the second with the stop of the first.",
+        "which floor is harder to beat, and are gain and spread in one unit?",
+        "floor = min(repeat, mean); gain = 1 - errors.mean() / floor; half the range / floor.",
     ),
     "11.3": Exercise(
         same_as(
