@@ -124,9 +124,8 @@ WRONG["06.3"] = [
 ]
 RIGHT["07.1"] = [math.degrees(math.acos(.5))]
 WRONG["07.1"] = [30, 90, 120]
-RIGHT["07.2"] = [
-    lambda w, b, g, t: torch.cat((w, b[None])) * g + torch.cat((torch.zeros_like(w), t[None])),
-]
+RIGHT["07.2"] = [441344 / 256, 1724]
+WRONG["07.2"] = [215.5, 1720, 3530752]
 RIGHT["07.3"] = [
     lambda e: (
         lambda r: np.mean(r[1]) - np.mean(r[0]) > max(np.std(r[0], ddof=1), np.std(r[1], ddof=1))
@@ -178,7 +177,12 @@ RIGHT["11.1"] = [(('Old',) * 10 + ('Zombie',), ('Old',) * 11)]
 WRONG["11.1"] = [
     ([0] * 10, [0] * 10), ([0] * 9 + [1], [1] * 10), ([0] * 8 + [1, 1], [0] * 10),
 ]
-RIGHT["11.2"] = [lambda a, b, gap: not (a[1] + gap <= b[0] or b[1] + gap <= a[0])]
+RIGHT["11.2"] = [
+    lambda e, *floors: dict(
+        gain=(min(floors) - e.mean()) / min(floors), spread=np.ptp(e.numpy()) / 2 / min(floors),
+        clear=min(floors) - e.mean() > np.ptp(e.numpy()) / 2,
+    ),
+]
 RIGHT["11.3"] = [lambda s, d: s[d].sum(1).div(len(s)).quantile(torch.tensor([.025, .975]))]
 RIGHT["12.1"] = [lambda r: int(r['posture, cm'] < 6 and 9 / 2 < r['range, cm'] < 18)]
 WRONG["12.1"] = [

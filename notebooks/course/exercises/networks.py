@@ -160,25 +160,19 @@ EXERCISES = {
     "07.1": Exercise(
         equals(60.0, {
             "at this delay the hand is where it should be": 360.0,
+            "this is in radians": torch.pi / 3,
         }, tolerance=0.01),
         "the hand is sin(t), the late one sin(t − d). What is the mean of the squared difference?",
         "1 − cos d for the late hand, and 1/2 for the statue: where are both equal?",
     ),
     "07.2": Exercise(
-        same_as(
-            lambda w, b, gamma, beta: torch.cat((w * gamma, (gamma * b + beta)[None])),
-            lambda: [draws(7, (n, 5), (5,), (5,), (5,)) for n in (3, 8)],
-            {
-                "the bias is scaled by γ, too.": lambda w, b, gamma, beta: torch.cat(
-                    (w * gamma, (b + beta)[None])
-                ),
-                "β is not scaled.": lambda w, b, gamma, beta: torch.cat(
-                    (w * gamma, (gamma * (b + beta))[None])
-                ),
-            },
-        ),
-        "γ ∘ (h W + b) + β: which part is multiplied by h, and which is not?",
-        "multiply each column of the weights by its γ; the new bias is γ b + β.",
+        equals(8 * (349 + 513) / 4, {
+            "there are eight sets of weights.": (349 + 513) / 4,
+            "this is the count: divide it by that of γ and β.": 8 * (349 + 513) * 512,
+            "layers have biases, too.": 8 * (348 + 512) / 4,
+        }),
+        "how many weights and biases has one expert, and how many γ and β has a style?",
+        "8 × (349 × 512 + 513 × 512), divided by γ and β of two layers of 512 units.",
     ),
     "07.3": Exercise(
         same_as(_clear, _tables),
