@@ -187,14 +187,18 @@ RIGHT["11.3"] = [lambda s, d: s[d].sum(1).div(len(s)).quantile(torch.tensor([.02
 RIGHT["12.1"] = [lambda r: int(r['posture, cm'] < 6 and 9 / 2 < r['range, cm'] < 18)]
 WRONG["12.1"] = [
     lambda r: True, lambda r: r['posture, cm'] < 5, lambda r: r['range, cm'] > 3,
+    lambda r: r['hips, cm'] in (0, 2.5), lambda r: r['range, cm'] in (9, 7),
 ]
-RIGHT["12.2"] = [lambda mine, floor: (1 / mine - 1 / floor) * mine]
+RIGHT["12.2"] = [1 / 6, 0.17]
+WRONG["12.2"] = [0.95, 0.83, 0.01]
 RIGHT["12.3"] = [
-    dict(what='bones of the arm get too long', unit='mm', measure=lambda: (8.1, 5.2)),
-    dict(what='the character drifts off its path', unit='cm', measure=lambda: (31, 12)),
+    dict(what='bones of the arm get too long', unit='mm', measure=lambda x: 5 + (x == 'Mine')),
+    dict(what='the character drifts off its path', unit='cm', measure=dict(Mine=9, Neutral=2).get),
 ]
 WRONG["12.3"] = [
     'Everything works perfectly and nothing fails in 12 tests',
-    dict(what='bones', unit='mm', measure=lambda: (8, 5)),
+    dict(what='bones', unit='mm', measure=len),
+    dict(what='the moon is made of cheese', unit='mm', measure=lambda x: 8),
+    dict(what='bones of the arm get longer', unit='mm', measure=dict(Mine=1, Neutral=5).get),
     dict(what='bones of the arm get longer', unit='mm', measure=8),
 ]

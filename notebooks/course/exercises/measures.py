@@ -86,11 +86,19 @@ WALKS = {
     "style": {"posture, cm": 4.1, "hips, cm": 2.5, "range, cm": 7.0},
     "Neutral": {"posture, cm": 9.8, "hips, cm": 2.0, "range, cm": 7.5},
     "statue": {"posture, cm": 3.9, "hips, cm": 0.4, "range, cm": 0.0},
+    # not in the notebook
+    "second style": {"posture, cm": 5.2, "hips, cm": 3.0, "range, cm": 6.1},
+    "second Neutral": {"posture, cm": 8.8, "hips, cm": 2.5, "range, cm": 8.0},
+    "second statue": {"posture, cm": 0.9, "hips, cm": 0.1, "range, cm": 0.3},
 }
 
 
 def _passes(grade, walk: str) -> bool:
     return truth(grade(dict(WALKS[walk]))) is True
+
+
+def _refuses(grade, walk: str) -> bool:
+    return not any(_passes(grade, name) for name in (walk, f"second {walk}"))
 
 
 UNITS = ("cm", "mm", "m", "m/s", "cm/s", "m/s²", "°", "%", "s", "Hz", "frames")
@@ -106,13 +114,13 @@ def _finding(answer) -> str:
         return f"the unit should be one of {', '.join(UNITS)}."
     if not callable(answer["measure"]):
         return "`measure` should be a function: somebody else must be able to run it again."
-    (mine, floor), again = (tuple(map(float, answer["measure"]())) for _ in range(2))
-    if (mine, floor) != again:
-        return "the second measurement gives other numbers: fix the seed."
+    mine, again, floor = (float(answer["measure"](name)) for name in ("Mine", "Mine", "Neutral"))
+    if mine != again:
+        return "the second measurement gives another number: fix the seed."
     if not (math.isfinite(mine) and math.isfinite(floor)):
         return "a number is not finite."
-    if abs(mine - floor) < 0.05 * abs(floor):
-        return "this is what the floor has, too: then nothing is wrong with your style."
+    if mine < floor + 0.05 * abs(floor):
+        return "the floor has as much: then nothing is wrong with your style."
     return ""
 
 
@@ -241,31 +249,28 @@ EXERCISES = {
     "12.1": Exercise(
         shows(
             ("a function of one row is needed", callable),
-            ("the style is refused: set limits that it meets", lambda f: _passes(f, "style")),
             ("the clip itself is refused", lambda f: _passes(f, "clip")),
+            ("a style is refused: set limits that it meets",
+             lambda f: _passes(f, "style") and _passes(f, "second style")),
             ("Neutral passes: a grade that a floor passes is no grade",
-             lambda f: not _passes(f, "Neutral")),
-            ("the statue passes: look at the movement, too", lambda f: not _passes(f, "statue")),
+             lambda f: _refuses(f, "Neutral")),
+            ("a statue passes: look at the movement, too", lambda f: _refuses(f, "statue")),
         ),
         "in which column is Neutral worse than the style, and in which the statue?",
         "limit the posture from above and the range from below.",
     ),
     "12.2": Exercise(
-        same_as(
-            lambda mine, floor: (floor - mine) / floor,
-            lambda: [(0.1, 0.4), (0.4, 0.4), (0.6, 0.3)],
-            {
-                "this is the share that is left.": lambda mine, floor: mine / floor,
-                "the sign is wrong.": lambda mine, floor: (mine - floor) / floor
-            },
-        ),
-        "what should be returned if both errors are equal, and if yours is zero?",
-        "(floor − mine) / floor.",
+        equals(1 / 6, {
+            "the mean of the data is the easier floor": 1 - 0.05 / 0.96,
+            "this is the share that is left": 0.05 / 0.06,
+        }, tolerance=0.03),
+        "which floor is harder to beat?",
+        "1 − error / floor, with the smaller one of both floors.",
     ),
     "12.3": Exercise(
         _finding,
         "could somebody else measure it again, and what would a floor have there?",
-        "`what`: a sentence; `unit`: such as \"mm\"; `measure`: a function that returns two "
-        "numbers, yours and a floor's.",
+        "`what`: a sentence; `unit`: such as \"mm\"; `measure`: a function of a style's name that "
+        "returns a number.",
     ),
 }
