@@ -37,6 +37,7 @@ def rollout(
 ) -> None:
     """Walk straight ahead in a style, write the motion and print measurements."""
     saving.check(out, None, character)
+    figure = saving.read_figure(character)  # a file that is no character is refused now
     net, bank = published.either(model, parameters)
     blend = blend_of(style)
     speed = bank.speed(blend) if speed is None else speed
@@ -46,7 +47,7 @@ def rollout(
     states = list(runtime.states(net, commands, bank.blend(blend), progress=True, life=life,
                                  seed=seed))
     clip = runtime.record(net, states, feet=ik, arms=ik).replace(style=style, gait="FW")
-    saving.save(clip, out, title=style, progress=True, character=character)
+    saving.save(clip, out, title=style, progress=True, character=figure)
     low, high = metrics.hips_height(clip)
     went = metrics.speed(clip)
     slid = metrics.foot_skate(clip, torch.stack([state.contacts[0] for state in states])).values()

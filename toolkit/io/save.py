@@ -3,6 +3,7 @@
 import os
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 from toolkit import registry
 from toolkit.io import bvh
@@ -55,8 +56,13 @@ def check(path: str | os.PathLike, among: Sequence[str] | None = None,
     return path
 
 
+def read_figure(path: str | os.PathLike | None) -> Any:
+    """The character of a file (`tk.Character`), for `save`; None of None."""
+    return None if path is None else registry.find("character.load").load(path)
+
+
 def save(clip: Clip, path: str | os.PathLike, *, title: str = "", source: Clip | None = None,
-         progress: bool = False, character: str | os.PathLike | None = None) -> None:
+         progress: bool = False, character: Any = None) -> None:
     """Write a clip as motion (.bvh, .glb), web page (.html), strip of poses (.png) or film.
 
     Missing folders are made.
@@ -72,8 +78,8 @@ def save(clip: Clip, path: str | os.PathLike, *, title: str = "", source: Clip |
     progress
         Show a bar while a film is drawn.
     character
-        A glTF or VRM file with a skinned mesh: its file with the motion on it (.glb), its rig's
-        motion (.bvh), or a page, picture or film in which it walks.
+        A file with a skinned mesh, or what `read_figure` returns for it: its file with the motion
+        on it (.glb), its rig's motion (.bvh), or a page, picture or film in which it walks.
 
     Raises
     ------
@@ -81,9 +87,10 @@ def save(clip: Clip, path: str | os.PathLike, *, title: str = "", source: Clip |
         If the suffix is unknown, or the character cannot be read.
     """
     path = check(path)
-    figure = None if character is None else registry.find("character.load").load(character)
+    if isinstance(character, str | os.PathLike):
+        character = read_figure(character)
     if path.suffix == ".bvh":
-        bvh.save(clip if figure is None else figure.fitted(clip), path)
+        bvh.save(clip if character is None else character.fitted(clip), path)
     else:
         write = registry.find(f"writer{path.suffix}")
-        write(clip, path, title=title, source=source, progress=progress, character=figure)
+        write(clip, path, title=title, source=source, progress=progress, character=character)
