@@ -55,6 +55,16 @@ def test_banks_that_are_none_are_refused():
             StyleBank(names, vectors)
 
 
+def test_layers_may_have_blends_of_their_own():
+    bank = StyleBank(("a", "b"), torch.tensor([[1.0, 2.0, 3.0, 4.0], [10.0, 20.0, 30.0, 40.0]]))
+    torch.testing.assert_close(bank.blend({"a": 1}, {"b": 1}), torch.tensor([1.0, 2.0, 30.0, 40.0]))
+    torch.testing.assert_close(
+        bank.blend({"a": 0.5, "b": 0.5}, {"a": 1}), torch.tensor([5.5, 11.0, 3.0, 4.0])
+    )
+    with pytest.raises(ValueError, match=r"\[4\] cannot be cut into 3"):
+        bank.blend({"a": 1}, {"a": 1}, {"a": 1})
+
+
 def test_banks_merge():
     more = BANK.merge(StyleBank(("Old", "Star"), torch.stack((BANK["Old"], torch.ones(3)))))
     assert more.names == ("Neutral", "Zombie", "Old", "Star")

@@ -70,18 +70,22 @@ class StyleBank(Mapping[str, Tensor]):
         check_style(name, self.names)
         return self.names.index(name)
 
-    def blend(self, blend: Mapping[str, float]) -> Tensor:
-        """Barycentric blend ``[D]`` of style vectors.
+    def blend(self, blend: Mapping[str, float], *deeper: Mapping[str, float]) -> Tensor:
+        """Barycentric blend ``[D]`` of style vectors, one for all layers or one for each.
 
         Parameters
         ----------
         blend
             Style to weight. Weights sum to one; negative ones extrapolate.
+        *deeper
+            Blends of the next hidden layers, if they differ from the first. A FiLM vector (γ1, β1,
+            γ2, β2) has two equal parts, one per hidden layer, so it takes one more blend.
 
         Raises
         ------
         ValueError
-            If a style is unknown, a weight is not finite, or weights do not sum to one.
+            If a style is unknown, a weight is not finite, weights do not sum to one, or the length
+            of the vectors is not a multiple of the number of blends.
 
         Warns
         -----
@@ -89,6 +93,13 @@ class StyleBank(Mapping[str, Tensor]):
             If a weight is outside of [0, 1]: the vector is then outside the range of the known
             styles.
         """
+        if deeper:
+            if self.vectors.shape[1] % (1 + len(deeper)):
+                raise ValueError(f"vectors [{self.vectors.shape[1]}] cannot be cut into "
+                                 f"{1 + len(deeper)} equal layers")
+            whole = [self.blend(b) for b in (blend, *deeper)]
+            parts = [vector.chunk(len(whole))[layer] for layer, vector in enumerate(whole)]
+            return torch.cat(parts)
         shares = {name: float(weight) for name, weight in blend.items()}
         for name, share in shares.items():
             if not math.isfinite(share):
