@@ -11,14 +11,13 @@ from torch.nn import functional as F
 PI = math.pi
 LEG = torch.tensor([[0.0, 1.0, 0.0], [0.0, 0.55, 0.1], [0.0, 0.1, 0.0]])  # of exercise 03b.3
 RIGHT, WRONG = {}, {}
-RIGHT["00.1"] = [dict(Old=1/4, Zombie=3/4)]
+RIGHT["00.1"] = [dict(Old=1/4, Zombie=3/4), dict(Zombie=.75, Old=.25), dict(Old=-.5, Zombie=1.5)]
 WRONG["00.1"] = [
-    dict(Old=.75, Zombie=.25), dict(Old=25, Zombie=75), dict(Zombie=.75),
+    dict(Old=.75, Zombie=.25), dict(Old=25, Zombie=75), dict(Zombie=.75), dict(Old=1/3, Zombie=2/3),
+    dict(Old=.2, Zombie=.8),
 ]
-RIGHT["00.2"] = [lambda speed, fps: speed * (1 / fps)]
-WRONG["00.2"] = [
-    lambda speed, fps: fps / speed, lambda speed, fps: speed,
-]
+RIGHT["00.2"] = [.7, .71, 3 - 2.3]
+WRONG["00.2"] = [2.3, -.7, .65, .75, 3., .0383]
 RIGHT["00.3"] = [dict(Neutral=0.59, Aeroplane=0.41)]
 WRONG["00.3"] = [
     dict(Neutral=1.0, Aeroplane=0.0), dict(Neutral=0.5, Aeroplane=0.5),

@@ -23,7 +23,7 @@ import toolkit as tk
 TRIVIAL = (
     ..., 0, 1, "", {}, lambda *_: 0.0, lambda *_: torch.zeros(1), lambda first, *_: first
 )
-IN_CONTEXT = {"10.1", "12.3"}  # exercises whose solution uses names of its notebook
+IN_CONTEXT = {"00.2", "10.1", "12.3"}  # exercises whose solution uses names of its notebook
 #: Exchanged names of functions and methods, operators and comparisons.
 NAMES = {"cos": "sin", "sin": "cos", "mean": "sum", "sum": "mean", "norm": "sum", "abs": "exp",
          "min": "max", "max": "min", "round": "floor", "diff": "cumsum", "any": "all", "all": "any",

@@ -3,7 +3,7 @@
 from functools import cache
 
 import torch
-from course.checks import Exercise, equals, same_as, shows
+from course.checks import Exercise, same_as, shows
 
 import toolkit as tk
 from toolkit.datasets import procedural
@@ -12,15 +12,26 @@ FLIP = torch.diag(torch.tensor([-1.0, 1.0, 1.0]))
 
 
 @cache
-def _apart(aeroplane: float) -> float:
-    """Mean distance of the hands, metres, of a walk that is so much Aeroplane, else Neutral."""
+def _straight(aeroplane: float) -> tk.Clip:
+    """A walk of three seconds at 1 m/s that is so much Aeroplane, else Neutral."""
     model, bank = tk.pretrained()
     style = (1 - aeroplane) * bank["Neutral"] + aeroplane * bank["Aeroplane"]
     commands = tk.runtime.straight(1.0, 3.0)
-    walk = tk.runtime.rollout(tk.runtime.quick(model, len(commands)), commands, style=style)
+    return tk.runtime.rollout(tk.runtime.quick(model, len(commands)), commands, style=style)
+
+
+def _apart(aeroplane: float) -> float:
+    """Mean distance of the hands in such a walk, metres."""
+    walk = _straight(aeroplane)
     left, right = (walk.skeleton.index(f"{side}_hand") for side in ("left", "right"))
     places = walk.global_positions[60:]
     return float((places[:, left] - places[:, right]).norm(dim=-1).mean())
+
+
+def _ahead() -> float:
+    """How far Neutral goes in such a walk, metres."""
+    places = _straight(0.0).root_positions
+    return float((places[-1] - places[0])[2])
 
 
 def _half_way(weights: dict) -> bool:
@@ -77,25 +88,24 @@ def _turns() -> list[tuple]:
 
 EXERCISES = {
     "00.1": Exercise(
-        equals({"Old": 0.25, "Zombie": 0.75}, {
-            "these are the weights of the other walk: a quarter should be Old":
-                {"Old": 0.75, "Zombie": 0.25},
-            "the weights should be shares of one, not percent": {"Old": 25, "Zombie": 75},
-        }),
-        "what do the two weights sum to?",
-        "the names are the keys, and the weights are shares of one.",
+        shows(
+            ("give a dictionary with weights of Old and of Zombie",
+             lambda x: isinstance(x, dict) and set(x) == {"Old", "Zombie"}),
+            ("the weights should sum to one", lambda x: abs(sum(x.values()) - 1) < 1e-3),
+            ("this vector is nearer to Old's", lambda x: abs(x["Zombie"]) > abs(x["Old"])),
+            ("it is not three times as far",
+             lambda x: abs(abs(x["Zombie"]) - 3 * abs(x["Old"])) < 0.01),
+        ),
+        "draw the line from Old to Zombie. Which weight has the blend half way, and at an end?",
+        "it has gone three of four equal parts of the way from Old to Zombie.",
     ),
     "00.2": Exercise(
-        same_as(
-            lambda speed, fps: speed / fps, lambda: [(1.2, 60), (3.0, 30), (0.5, 120)],
-            {
-                "this is the number of frames per metre.": lambda speed, fps: fps / speed,
-                "this is far too long: in one second the character moves `speed` metres.":
-                    lambda speed, fps: speed * fps,
-            },
+        shows(
+            ("this is how far it goes", lambda x: abs(float(x) - _ahead()) > 0.02),
+            ("this is not the difference", lambda x: abs(3 - float(x) - _ahead()) < 0.02),
         ),
-        "how many frames are there in one second, and how far does the character go in them?",
-        "divide the speed by the frames per second.",
+        "where is the character in frame 0 and three seconds later, and which number is ahead?",
+        "three metres less the difference of z between the frames 179 and 0.",
     ),
     "00.3": Exercise(
         shows(
