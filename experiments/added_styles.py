@@ -37,7 +37,8 @@ CHOSE = ("xia/neutral_01_000", "xia/sexy_01_000", "xia/strutting_01_000",
          "pfnn/LocomotionFlat04_000", "100style/Neutral_FW")
 #: Styles that the pictures show as half of the clip's, though the verdict is good.
 HALF = ("recorded: 8yr_old/run", "recorded: cmu_1006/running001",
-        "recorded: cmu_new/walk_raise_the_roof", "procedural: 5yr_old/walking",
+        "recorded: cmu_new/walk_raise_the_roof", "recorded: cmu_new/walk_side_point2_",
+        "procedural: 5yr_old/walking",
         "procedural: cmu_1006/running001", "procedural: cmu_1006/walking001")
 
 
