@@ -97,15 +97,15 @@ def test_judges_copy_their_cases_and_name_a_fault_only_if_all_cases_agree():
 
 
 def test_the_first_hint_is_a_question_and_the_next_a_recipe():
-    exercise = course.exercises_of("00")["00.2"]
+    exercise = course.exercises_of("08b")["08b.3"]
     WRONG.clear()
-    assert str(course.check("00.2", ...)) == "○ 00.2: No answer yet."
+    assert str(course.check("08b.3", ...)) == "○ 08b.3: No answer yet."
     for hint in (exercise.question, exercise.recipe, exercise.recipe):
-        verdict = course.check("00.2", lambda speed, fps: speed)
+        verdict = course.check("08b.3", lambda m, s, n, r: m - n)
         assert not verdict
         assert str(verdict).endswith(f"Hint: {hint}")
-    assert course.check("00.2", lambda speed, fps: speed / fps)
-    assert "raised TypeError" in str(course.check("00.2", lambda: 1))
+    assert course.check("08b.3", lambda m, s, n, r: (m - n) ** 2 + (s - r) ** 2)
+    assert "raised TypeError" in str(course.check("08b.3", lambda: 1))
     with pytest.raises(ValueError, match=r"no exercise '00\.9'; there are 00\.1, 00\.2"):
         course.check("00.9", 1)
     with pytest.raises(ValueError, match="no exercise 'x'"):
