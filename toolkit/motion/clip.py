@@ -47,7 +47,7 @@ class Clip:
         roots = as_tensor(self.root_positions, "root positions", rotations)
         object.__setattr__(self, "rotations", rotations)
         object.__setattr__(self, "root_positions", roots)
-        frames, joints = (*rotations.shape, 0)[0], len(self.skeleton)
+        frames, joints = len(rotations) if rotations.dim() else 0, len(self.skeleton)
         if rotations.shape != (frames, joints, 4) or roots.shape != (frames, 3) or not frames:
             raise ValueError(f"{self.name}: expected rotations [F, {joints}, 4] and root positions "
                              f"[F, 3], F >= 1; got {list(rotations.shape)} and {list(roots.shape)}")
