@@ -2,7 +2,6 @@
 input.
 """
 
-import ast
 import re
 import shutil
 import subprocess
@@ -170,23 +169,6 @@ def test_the_wheel_has_the_model_and_no_sources_of_the_page(tmp_path):
     assert not [file for file in files
                 if re.search("node_modules|view/scene/|__pycache__|notebooks|tests", file)]
     assert wheel.stat().st_size < 20e6
-
-
-def test_text_files_name_their_encoding():
-    """Windows would take its own otherwise."""
-    silent = []
-    for path in sorted((REPOSITORY / "toolkit").rglob("*.py")):
-        for call in (node for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-                     if isinstance(node, ast.Call)):
-            method = getattr(call.func, "attr", None)
-            text_mode = [a for a in call.args[:1] if isinstance(a, ast.Constant)
-                         and set(str(a.value)) <= set("rwxat+")]
-            text = method in ("read_text", "write_text") or (method == "open" and text_mode)
-            binary = any(getattr(a, "value", None) == "rb" for a in call.args)
-            text = text or (getattr(call.func, "id", None) == "open" and not binary)
-            if text and "encoding" not in {k.arg for k in call.keywords}:
-                silent.append(f"{path.name}:{call.lineno}: {ast.unparse(call)}")
-    assert not silent
 
 
 def test_pretrained_knows_every_style_and_stands_when_told(fast):
