@@ -18,16 +18,6 @@ def clips():
     return tk.datasets.load("procedural", styles=["Neutral", "Zombie"], gaits=["FW"], seconds=6.0)
 
 
-def test_moments_have_a_second_before_and_two_seconds_after(clips):
-    some = recorded.moments(clips)
-    assert {m.at for m in some} == {60, 180}
-    assert all(len(m.real) == len(m.still) == 120 for m in some)
-    assert torch.equal(some[0].real.rotations[0], some[0].clip.rotations[61])
-    assert bool((some[0].still.rotations == some[0].clip.rotations[60]).all())
-    with pytest.raises(ValueError, match=r"no clip has the 3 s that it takes to follow it"):
-        recorded.moments([clip.cut(0, 179) for clip in clips])
-
-
 def test_a_character_begins_in_the_recorded_pose_and_place(clips):
     model, bank = tk.pretrained()
     some = recorded.moments(clips)

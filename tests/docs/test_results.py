@@ -49,43 +49,8 @@ def test_a_table_is_drawn_and_drawn_again_the_same(folder):
     assert "| model | MSE |\n| --- | --- |\n| repeat | 0.1850 |\n<!-- end" in some
 
 
-def test_wrong_results_are_errors_in_one_line(folder):
-    (folder / "broken.json").write_text("{")
-    (folder / "other.json").write_text('{"a": 1}')
-    for call, said in (
-        (lambda: tables.fill("<!-- table none -->\n<!-- end -->", folder),
-         r"none.json: no such result; known: broken"),
-        (lambda: tables.fill("<!-- table small: model gpu -->\n<!-- end -->", folder),
-         "small has no column gpu; columns: "),
-        (lambda: Result.load("broken", folder), r"broken.json: is not a result"),
-        (lambda: Result.load("other", folder), r"other.json: is not a result"),
-        (lambda: Result("x", "", "", {"a": ["a"]}, [{"b": 1}]),
-         "x: a row has b, which no column shows"),
-    ):
-        with pytest.raises(ValueError, match=said) as error:
-            call()
-        assert "\n" not in str(error.value)
-
-
 def test_what_is_not_finite_is_stored_as_nothing(tmp_path):
     Result("gaps", "a", "b", {"v": ["v", 2]},
            [{"v": math.nan}, {"v": [1.0, math.inf]}]).save(tmp_path)
     assert [row["v"] for row in Result.load("gaps", tmp_path).rows] == [None, [1.0, None]]
     assert Result.load("gaps", tmp_path).markdown().splitlines()[2:] == ["|  |", "| 1.00 |"]
-
-
-def test_rows_without_a_value_in_the_columns_that_are_shown_are_left_out(folder):
-    assert "repeat" in Result.load("small", folder).markdown(["model", "mse"])
-    assert "repeat" not in Result.load("small", folder).markdown(["model", "skate", "walks"])
-
-
-def test_the_command_writes_pages(tmp_path, monkeypatch, folder, capsys):
-    page = tmp_path / "page.md"
-    page.write_text("<!-- table small: walks -->\n<!-- end -->\n")
-    monkeypatch.setattr(tables, "DOCS", tmp_path)
-    monkeypatch.setattr(tables, "RESULTS", folder)
-    tables.run()
-    assert "| 98 |" in page.read_text()
-    assert "page.md" in capsys.readouterr().out
-    tables.run()
-    assert capsys.readouterr().out == ""

@@ -6,7 +6,7 @@ import pytest
 import torch
 
 import toolkit as tk
-from experiments import closed_loop, tables
+from experiments import closed_loop
 from toolkit.runtime.life import PERIOD, alive, uniform
 
 
@@ -45,32 +45,6 @@ def test_measures_see_a_slide_a_pop_and_slow_motion(walk_clip):
     leans[:, 1] = tk.motion.rotations.multiply(leans[:, 1], lean)
     leans = tk.Clip(walk_clip.skeleton, leans, walk_clip.root_positions, 60)
     assert closed_loop.slow_motion(leans) > closed_loop.slow_motion(walk_clip) + 0.5
-
-
-def test_toes_before_their_lock_are_the_predictions():
-    """The compiled runtime does not give them; they follow from the state after the lock."""
-    model, bank = tk.pretrained()
-    state = tk.runtime.start(model, bank["Neutral"])
-    for _ in range(60):
-        new = tk.runtime.frame.predicted(model, state, tk.runtime.Command((0.0, 1.0)))
-        raw = tk.runtime.frame.predicted_toes(model.layout, new)
-        after = tk.runtime.frame.planted(model.layout, state, new)
-        held = after.contacts[0] > 0.5
-        found = closed_loop.unlocked(model, state, after)
-        torch.testing.assert_close(found[0, held], raw[0, held], atol=1e-5, rtol=0)
-        state = after
-
-
-def test_a_summary_names_the_worst_style_and_keeps_other_models(tmp_path, monkeypatch):
-    found = closed_loop._summary("direction", ["A", "B", "C"], [0.1, math.nan, 3.0])
-    assert (found["which"], found["kept"], found["median"]) == ("B", 1, 3.0)
-    assert closed_loop._summary("speed", ["A", "B"], [0.7, 1.1])["which"] == "A"
-    monkeypatch.setattr(closed_loop, "RESULTS", tmp_path)
-    closed_loop._store("embedded", {"stop: speed after 1 s, m/s": found})
-    closed_loop._store("recorded", {"stop: speed after 1 s, m/s": found | {"worst": 7.0}})
-    rows = {row["what"]: row for row in tables.Result.load(closed_loop.STORED, tmp_path).rows}
-    stop = rows["stop: speed after 1 s, m/s"]
-    assert (stop["embedded_which"], stop["recorded_worst"], stop["most"]) == ("B", 7.0, 0.05)
 
 
 def test_a_style_that_wanders_is_smooth_and_repeatable():

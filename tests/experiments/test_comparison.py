@@ -8,9 +8,7 @@ from course import comparison
 
 import toolkit as tk
 from experiments.__main__ import main
-from experiments.seven_models import failures, interpolation, load, models, results
-from experiments.seven_models.posture import posture_error
-from toolkit.features import pack_joints
+from experiments.seven_models import failures, load, models, results
 
 STYLES = "Neutral,PendulumHands,Zombie"
 MODELS = ("mann-film", "lpn-film")
@@ -38,36 +36,6 @@ def folder(data, tmp_path_factory):
         patch.setattr(models, "WARM_UP", 0.2)
         models.compare(data, SOURCE, PLAN, MODELS, 1, out)
     return out
-
-
-def joints_of(hands, layout):
-    """Positions ``[F, J, 3]`` of a standing body with hands moved fore and aft ``[F, 2]``."""
-    rest = layout.skeleton.rest_positions[list(layout.skeleton.feature_joints)].repeat(
-        len(hands), 1, 1
-    )
-    for i, side in enumerate(("left", "right")):
-        rest[:, layout.names.index(layout.skeleton.roles[f"{side}_hand"]), 2] += hands[:, i]
-    return rest
-
-
-def test_hands_that_swing_together_or_in_turn_or_not_at_all(data):
-    t = torch.arange(240) * (2 * math.pi / 60)
-    swings = torch.stack(
-        (
-            torch.stack((t.sin(), t.sin()), 1),
-            torch.stack((t.sin(), -t.sin()), 1),
-            torch.zeros(240, 2),
-        ),
-        1,
-    )
-    seen = comparison.hand_swing(
-        data.layout, torch.stack([joints_of(0.2 * swings[:, i], data.layout) for i in range(3)], 1)
-    )
-    assert seen["together"][:2].tolist() == pytest.approx([1.0, -1.0], abs=1e-5)
-    assert math.isnan(seen["together"][2])
-    assert seen["range"][:, 0].tolist() == pytest.approx(
-        [0.2 / math.sqrt(2), 0.2 / math.sqrt(2), 0.0], abs=1e-5
-    )
 
 
 def test_the_shared_error_of_a_model_that_predicts_the_mean(data):
@@ -145,49 +113,6 @@ def test_stuck_hands_are_told_from_moving_ones():
     assert found.name == "x-no-global-phase"
     assert "| lpn-film | 0.900 ± 0.000 | 0.100 ± 0.000 | 0 ± 0 | 1 | 1.000 ± 0.000 |" in (
         found.markdown())
-
-
-def test_numbers_of_an_even_blend_and_of_a_jump():
-    even = torch.linspace(0, 1, 11)[None]
-    jump, reluctant = (even > 0.95).float(), 0.45 * even
-    smooth = interpolation.Curves(even, even).numbers()
-    assert (smooth["widest step"], smooth["crosses at"]) == (pytest.approx(0.1), pytest.approx(0.6))
-    assert smooth["rank corr."] == pytest.approx(1.0)
-    sudden = interpolation.Curves(jump, even).numbers()
-    assert (sudden["widest step"], sudden["crosses at"]) == (1.0, pytest.approx(1.0))
-    never = interpolation.Curves(
-        reluctant, even
-    ).numbers()  # the second style is never recognised: nothing to say
-    assert never["of 1 pairs"] == 0
-    assert math.isnan(never["widest step"])
-
-
-def test_the_mean_pose_of_arms_and_its_floor(data):
-    """A raised shoulder and a moved hand, known to the millimetre."""
-    layout, still = data.layout, torch.zeros(240, 2)
-    rest = joints_of(still, layout)
-    other, lifted = rest.clone(), rest.clone()
-    side = layout.names.index(layout.skeleton.roles["left_hand"])
-    arm = [
-        layout.names.index(layout.skeleton.roles[f"left_{part}"])
-        for part in ("shoulder", "elbow", "hand")
-    ]
-    other[:, side, 2] += 0.1
-    lifted[:, arm, 1] += 0.04  # the whole arm, so the clavicle alone is wrong
-
-    def packed(positions):
-        nothing = torch.zeros_like(positions)
-        return pack_joints(positions, nothing, nothing, nothing)
-
-    clips = torch.stack([packed(rest), packed(other)])
-    found = posture_error(layout, packed(lifted), clips[:1], 0.0)
-    assert found == pytest.approx(
-        {"clavicle": 0.02, "hand": 0.0, "clavicle_data": 0.0, "hand_data": 0.0}, abs=1e-6
-    )
-    found = posture_error(layout, packed(rest), clips, 0.0)
-    assert found == pytest.approx(
-        {"clavicle": 0.0, "hand": 0.025, "clavicle_data": 0.0, "hand_data": 0.05}, abs=1e-6
-    )
 
 
 def test_the_stored_result_of_a_comparison_has_floors_ceiling_and_every_model(folder):

@@ -1,14 +1,13 @@
 """What judges restyled motion: classifiers, measures, the baselines of Table 2, the comparison."""
 
 import itertools
-import math
 
 import pytest
 import torch
 from course import halves
 
 import toolkit as tk
-from experiments.stylization import aberman, comparison, evaluation, floors, rotation, sets
+from experiments.stylization import aberman, comparison, evaluation, floors, sets
 from experiments.stylization.judges import Judge, Judges, NetworkJudge
 from toolkit.stylization import Config, data
 from toolkit.stylization.networks import Sizes
@@ -90,25 +89,6 @@ def test_pasting_the_reference_moves_all_style_and_loses_the_content(motions, ju
     assert evaluation.evaluate(Paste(), motions, motions, judges, by="reference", seed=1) != found
 
 
-def test_an_interval_is_over_takes_and_a_gain_over_the_same_takes(motions, judges):
-    rows, target = evaluation.pairs(motions)
-    sources = motions.select(rows)
-    kept = rotation.judged(sources, target, [sources.x], [judges, judges])
-    assert kept["right"][:, 0].all()
-    assert not kept["right"][:, 1:3].any()
-    assert kept["agree"].all()
-    guess = rotation.guessed(sources, target)[0].float().mean(-1)  # half stand, half are Zombies
-    assert guess.tolist() == [0.5, 0.5, 0.25, 0.5]
-    half = (kept["take"] % 2 == 0).expand(2, 4, -1)
-    low, high = rotation.interval(kept | {"right": half})
-    assert ((low > 0.2) & (low < 0.4) & (high > 0.6) & (high < 0.8)).all()
-    twice = {name: torch.cat((value, value), -1) for name, value in kept.items()}
-    same = rotation.interval(twice | {"right": torch.cat((half, half), -1)})
-    torch.testing.assert_close(same, torch.stack((low, high)))
-    gain = rotation.interval(kept | {"right": half}, kept | {"right": half})
-    assert (gain == 0).all()
-
-
 def test_floors_do_what_they_say(motions):
     rows, target = evaluation.pairs(motions)
     sources = motions.select(rows)
@@ -124,19 +104,6 @@ def test_floors_do_what_they_say(motions):
     own = motions.x[motions.domain == target[k]]
     slow = min(range(len(own)), key=lambda i: float((own[i, :3] - sources.x[k, :3]).square().sum()))
     assert torch.equal(found[k], own[slow])
-
-
-def test_an_angle_is_that_of_the_joints_and_ignores_being_out_of_step(motions):
-    turn = torch.tensor([math.cos(0.1), math.sin(0.1), 0.0, 0.0])
-    q = motions.x[:, 3:].permute(0, 2, 3, 1)
-    turned = torch.cat(
-        (motions.x[:, :3], tk.motion.rotations.multiply(turn, q).permute(0, 3, 1, 2)), 1
-    )
-    still = motions.x[:, :, :1].expand_as(motions.x), turned[:, :, :1].expand_as(turned)
-    torch.testing.assert_close(
-        evaluation.angles(*still), torch.full((len(q),), math.degrees(0.2)), atol=0.02, rtol=0
-    )
-    assert (evaluation.angles(motions.x, motions.x.roll(6, 2)) < 0.2).all()
 
 
 def test_aberman_takes_content_from_rotations_and_style_from_positions(motions):
@@ -186,15 +153,6 @@ def test_a_comparison_has_rows_for_every_method_and_floor(compared, task):
     assert most["method"] == "most frequent class"
     # of the two sources one stands and one walks; both become Zombies
     assert (most["style"], most["content"], most["both"]) == (1.0, 0.5, 0.5)
-
-
-def test_a_comparison_does_nothing_twice_and_refuses_other_settings(compared, task, monkeypatch):
-    folder, plan = compared
-    comparison.settle(folder, plan)
-    monkeypatch.setattr(comparison, "trained", lambda *a, **k: pytest.fail("was done again"))
-    assert comparison.measure("ours", task, plan, 0, folder, "dataset-1")["seed"] == 0
-    with pytest.raises(ValueError, match=r"other settings \(sources: expected 2, got 3\)"):
-        comparison.settle(folder, comparison.Plan(seconds=60, sources=3, iterations=2))
 
 
 def test_no_take_is_in_two_parts():

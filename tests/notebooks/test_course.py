@@ -50,7 +50,7 @@ def test_a_film_is_a_page_in_a_frame(hop):
 
 @pytest.fixture(scope="module")
 def hop() -> tk.Clip:
-    return tk.datasets.load("procedural", styles="HopLeft", gaits="FW", seconds=1.0)[0]
+    return tk.datasets.procedural.generate("HopLeft", seconds=1.0)
 
 
 def test_claims_stand_only_if_they_are_true():
@@ -121,7 +121,7 @@ def test_exercises_are_numbered_and_ask_first():
 
 def test_the_grades_of_the_capstone_refuse_their_floors(fast):
     model, bank = fast
-    clip = tk.datasets.load("procedural", styles="HighKnees", gaits="FW", seconds=6.0, seed=1)[0]
+    clip = tk.datasets.procedural.generate("HighKnees", seconds=6.0, seed=1)
     own, *floors = (tk.styles.compare(clip, model, style, bank)
                     for style in ("HighKnees", "Neutral", bank.vectors.mean(0)))
     assert own.verdict == "good"

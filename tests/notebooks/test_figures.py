@@ -10,7 +10,7 @@ from toolkit import phases as ph
 
 @pytest.fixture(scope="module")
 def hop() -> tk.Clip:
-    return tk.datasets.load("procedural", styles="HopLeft", gaits="FW", seconds=3.0)[0]
+    return tk.datasets.procedural.generate("HopLeft", seconds=3.0)
 
 
 @pytest.fixture(scope="module")

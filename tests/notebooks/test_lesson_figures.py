@@ -3,10 +3,9 @@
 import json
 import re
 
-import numpy as np
 import pytest
 import torch
-from course import charts, folding, losses_page, plane, postures, style_figures
+from course import folding, losses_page, plane, postures
 
 import toolkit as tk
 
@@ -43,21 +42,6 @@ def test_posture_of_a_pose_whose_numbers_are_known():
     assert float(found["bone_stretch"][0]) < 1e-6 < 0.005 < float(found["bone_stretch"][1])
 
 
-def test_line_figure_has_a_step_and_a_frame_for_each_blend():
-    model, _ = tk.pretrained()
-    t, measured = torch.linspace(0, 1, 5), torch.arange(5.0)
-    poses = torch.randn(5, model.layout.n_joints, 3)
-    figure = style_figures.line_figure(
-        model.layout, poses, t, measured, ends=("a", "b"), what="height"
-    )
-    assert len(figure.frames) == len(figure.layout.sliders[0].steps) == 5
-    assert [frame.data[-1].y[0] for frame in figure.frames] == measured.tolist()
-    drawn = sum(
-        np.isfinite(np.array(trace.x, dtype=float)).sum() for trace in figure.frames[2].data[:3]
-    )
-    assert drawn == 2 * sum(parent >= 0 for parent in model.layout.parents)
-
-
 def test_losses_page_needs_every_set_and_numbers_them_as_its_switches_do():
     with pytest.raises(ValueError, match="32 sets"):
         losses_page.losses_page(plane.Toy(plane.SWITCHES[:2]))
@@ -69,15 +53,3 @@ def test_losses_page_needs_every_set_and_numbers_them_as_its_switches_do():
         assert row == sum(
             1 << (4 - i) for i, name in enumerate(data["losses"]) if name not in names
         )
-
-
-def test_style_space_shows_names_and_groups():
-    assert len(set(charts.colours(40))) == 40
-    figure = charts.style_space(
-        torch.rand(4, 2), ["A", "B", "C", "D"], ["x", "y", "x", "y"],
-        marked={"blend": torch.zeros(2)}
-    )
-    assert [t.name for t in figure.data] == ["x", "y", "blend"]
-    assert list(figure.data[0].text) == ["A", "C"]
-    with pytest.raises(ValueError, match="4 names need positions"):
-        charts.style_space(torch.rand(4, 3), ["A", "B", "C", "D"])

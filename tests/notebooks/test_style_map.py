@@ -1,6 +1,6 @@
 import pytest
 import torch
-from course.style_map import StyleExplorer, StyleMap, chart, embed, explore
+from course.style_map import StyleExplorer, StyleMap, embed, explore
 
 from toolkit.styles import StyleBank
 
@@ -20,12 +20,6 @@ def explorer(walk_clip):
     shown.played = played
     yield shown
     shown.close()
-
-
-def test_hover_names_every_style():
-    points = chart(BANK, POINTS, ["arms", "arms", "legs", "legs"]).data
-    assert [t for trace in points for t in trace.text] == list(BANK.names)
-    assert all("%{text}" in trace.hovertemplate for trace in points)
 
 
 def test_the_map_of_vectors_keeps_neighbours_and_repeats():
@@ -76,12 +70,6 @@ def test_menus_triangle_and_weights_move_the_ring(explorer):
     assert explorer.map.place == pytest.approx([4.0, 0.0])
     with pytest.raises(ValueError, match="unknown style"):
         explorer.weights = {"Zombi": 1}
-
-
-def test_points_on_a_line_make_no_map(walk_clip):
-    line, clip = torch.arange(8.0).view(4, 2), walk_clip.cut(0, 2)
-    with pytest.raises(ValueError, match="three styles or more, not on one line"):
-        StyleExplorer(None, BANK, line, make_clip=lambda _: clip, size=(96, 96))
 
 
 def test_the_model_plays_and_outside_of_notebooks_it_is_the_map_alone(small_run):

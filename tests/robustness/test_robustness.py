@@ -2,22 +2,17 @@
 `faults`.
 """
 
-import json
 import os
 import subprocess
 import sys
 import tracemalloc
 from pathlib import Path
 
-import numpy as np
 import pytest
 from robustness import fuzz
-from robustness.fuzz import Reader, targets
-from safetensors.torch import save_file
+from robustness.fuzz import targets
 
-import toolkit as tk
-from toolkit.__main__ import main
-from toolkit.io import bvh, model_files
+from toolkit.io import bvh
 from toolkit.io.files import atomic_write
 
 
@@ -74,26 +69,6 @@ def test_joints_without_channels_times_frames_are_not_taken_at_their_word(tmp_pa
     assert "2001 joints in 2000 frames, but only 1 channels" in refused(load, path)
 
 
-@pytest.mark.parametrize("value", ["[" * 5000, "9" * 5000, "3", '{"config": {}}'])
-def test_models_whose_description_is_something_else(tmp_path, small_run, value):
-    path = tmp_path / "run.safetensors"
-    small_run.save(path)
-    tensors, parts = model_files.read(path, "run")
-    described = {name: json.dumps(x) for name, x in parts.items()}
-    described["format"] = model_files.FORMAT
-    for part in ("run", "model", "bank"):
-        save_file(tensors, path, described | {part: value})
-        refused(tk.training.load, path)
-
-
-def test_errors_on_the_command_line_are_one_printable_line(capfd):
-    assert main(["data", "list", "a\nb\x1b[31m"]) == 2
-    said = capfd.readouterr().err
-    assert said.startswith("error: ")
-    assert said.endswith("\n")
-    assert said[:-1].isprintable()
-
-
 def test_two_writers_of_one_file_do_not_mix(tmp_path):
     path = tmp_path / "new" / "a[1].bin"
     with atomic_write(path) as first:
@@ -113,42 +88,6 @@ def test_what_cannot_be_written_is_named(tmp_path):
         raise OSError(28, "No space left on device")
     assert path.read_bytes() == b"old"
     assert list(tmp_path.iterdir()) == [path]
-
-
-def test_the_fuzzer_sees_defects(tmp_path, monkeypatch):
-    monkeypatch.setattr(fuzz, "SECONDS", 0.05)
-
-    def defect(path):
-        match path.read_bytes()[0]:
-            case 0:
-                raise KeyError("x")
-            case 1:
-                raise ValueError(f"{path}\nsecond line")
-            case 2:
-                raise ValueError("which file?")
-            case 3:
-                raise ValueError(f"{path}: fine")
-        while True:
-            pass
-
-    def one_of_five(rng, _):
-        return bytes([rng.choice((0, 1, 2, 3, 3, 3, 3, 4))])
-
-    reader = Reader("r", tmp_path / "r.bin", defect, (b"",), one_of_five, "fine")
-    tally = fuzz.fuzz([reader], 24, seed=1)
-    said = " ".join(tally.failures)
-    assert all(word in said for word in ("KeyError", "not one printable line",
-                                         "does not name the file", "_Hang"))
-    assert tally.counts["failed"] + tally.counts["refused"] == 24
-    assert tally.counts["deep"] == tally.counts["refused"] > 0
-
-
-@pytest.mark.skipif(not sys.platform.startswith("linux"),
-                    reason="only Linux says how much a process has reserved")
-def test_the_fuzzer_sees_memory_blow_up(tmp_path):
-    reader = Reader("r", tmp_path / "r.bin", lambda path: np.empty(1 << 40), (b"x",),
-                    lambda rng, data: data, "")
-    assert "MemoryError" in next(iter(fuzz.fuzz([reader], 1, seed=0).failures))
 
 
 needs_fork = pytest.mark.skipif(not hasattr(os, "fork"), reason="this system cannot fork")

@@ -20,7 +20,7 @@ import torch
 from robustness.fuzz import Reader, foreign, mutations
 from typer.core import TyperCommand
 
-from toolkit import datasets, features, networks, runtime, training
+from toolkit import features, networks, runtime, training
 from toolkit.datasets import fetch, folder as own, procedural, published_files, style100
 from toolkit.evaluation.recognition import Recogniser
 from toolkit.extra import shots, store
@@ -101,9 +101,8 @@ def make(folder: Path, target: str = "all") -> dict[str, list[Reader]]:
 
 def _bvh(folder: Path) -> list[Reader]:
     seeds = [CARRIER] * 3  # short, so that a mutation probably has an effect
-    for clip in (procedural.load(["Neutral"], ["FW"], seconds=0.2)[0], *_recorded()):
-        bvh.save(clip.cut(0, 3), folder / "seed.bvh")
-        seeds.append((folder / "seed.bvh").read_bytes())
+    bvh.save(procedural.generate("Neutral", seconds=0.2).cut(0, 3), folder / "seed.bvh")
+    seeds.append((folder / "seed.bvh").read_bytes())
 
     def read(path: Path) -> None:
         with warnings.catch_warnings():
@@ -128,15 +127,6 @@ def _bvh(folder: Path) -> list[Reader]:
     rows = tuple(seed[seed.index(b"\n", seed.index(b"Frame Time")) + 1 :] for seed in seeds)
     return [Reader("bvh", folder / "walk.bvh", read, tuple(seeds), mutations.text, deep),
             Reader("decimals", folder / "rows.txt", numbers, rows, mutations.text, "left")]
-
-
-def _recorded() -> Iterator:
-    """One file of each public dataset on this machine."""
-    for name in ("100style", "bandai"):
-        if datasets.available(name):
-            yield datasets.load(name,
-                                styles=next(iter(s for s, gaits in datasets.contents(name).items()
-                                                 if gaits)))[0]
 
 
 def _csv(folder: Path) -> list[Reader]:
