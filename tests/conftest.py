@@ -43,7 +43,7 @@ def shared() -> Path:
 @pytest.fixture(scope="session")
 def walk_clip() -> tk.Clip:
     """Eight seconds of procedural walking."""
-    return tk.datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=8.0)[0]
+    return tk.datasets.procedural.generate("Neutral", seconds=8.0)
 
 
 @pytest.fixture(scope="session")

@@ -23,7 +23,7 @@ from toolkit.networks.bank import StyleBank
 model, bank = tk.pretrained()
 bank = bank.select(["Neutral", "Zombie", "Crouch", "Aeroplane"])
 planted = StyleBank(("Neutral", "Zombie", {IMAGE!r}, {COMMENT!r}), bank.vectors)
-clip = tk.datasets.load("procedural", styles=["Old"], gaits=["FW"], seconds=2.0)[0]
+clip = tk.datasets.procedural.generate("Old", seconds=2.0)
 clip = clip.replace(style={IMAGE!r})
 control = tk.view.Controller(model, planted)
 control

@@ -204,22 +204,12 @@ def test_a_unit_or_order_that_no_file_can_have_is_refused(tmp_path, options, pro
 BAD = {
     "cut inside the last line": (GOOD[:-10], 21, "expected 9 numbers, got 4"),
     "cut between lines": (GOOD[: GOOD.index("2 90")], 17, "header says 3 frames, the file holds 2"),
-    "cut behind MOTION": (
-        GOOD[: GOOD.index("Frames")],
-        17,
-        "expected 'Frames: N' and 'Frame Time: S'",
-    ),
     "too many frames": (GOOD + "0 0 0 0 0 0 0 0 0\n", 17, "header says 3 frames, the file holds 4"),
     "frame time zero": (GOOD.replace("0.033333", "0"), 18, "frame time must be positive"),
     "not a number": (
         GOOD.replace("1 90 0", "1 nan 0"),
         20,
         "channel 2 is not a finite number: 'nan'",
-    ),
-    "a number with a zero byte": (
-        GOOD.replace("1 90 0", "1 9\0 0"),
-        20,
-        "channel 2 is not a finite number",
     ),
     "a number as Python writes it": (
         GOOD.replace("1 90 0", "1 9_0 0"),
@@ -228,7 +218,6 @@ BAD = {
     ),
     "unknown word": (GOOD.replace("JOINT Chest", "JONT Chest"), 6, "unexpected 'JONT Chest'"),
     "joint twice": (GOOD.replace("JOINT Chest", "JOINT Hips"), 6, "joint Hips appears twice"),
-    "second root": (GOOD.replace("JOINT Chest", "ROOT Chest"), 6, "unexpected ROOT"),
     "two figures": (
         GOOD.replace("MOTION", GOOD.split("MOTION")[0].replace("HIERARCHY\n", "") + "MOTION"),
         16,
@@ -239,33 +228,16 @@ BAD = {
         9,
         "CHANNELS needs its count and names",
     ),
-    "offset of two numbers": (
-        GOOD.replace("OFFSET 0 10 0", "OFFSET 0 10"),
-        8,
-        "OFFSET needs three",
-    ),
     "a brace too few": (
         GOOD.replace("}\nMOTION", "MOTION"),
         15,
         "MOTION inside joint 'Hips', a brace is missing",
     ),
-    "a brace too many": (GOOD.replace("}\nMOTION", "}\n}\nMOTION"), 16, "unexpected '}'"),
-    "no opening brace": (
-        GOOD.replace("Chest\n\t{", "Chest"),
-        7,
-        "expected { after joint 'Chest', got 'OFFSET 0 10 0'",
-    ),
-    "empty": ("", 1, "expected HIERARCHY, got ''"),
     "binary": (bytes(range(256)) * 20, 1, "expected HIERARCHY"),
     "a joint inside an End Site": (
         GOOD.replace("OFFSET 0 5 0\n", "OFFSET 0 5 0\nEnd Site {\n}\n"),
         13,
         "unexpected End inside an End Site",
-    ),
-    "a name that writes on the terminal": (
-        GOOD.replace("Chest", "Ch\x1b[31mest"),
-        6,
-        "cannot be printed",
     ),
     "an offset that float32 cannot hold": (
         GOOD.replace("OFFSET 0 10 0", "OFFSET 0 1e300 0"),

@@ -237,23 +237,6 @@ def test_the_same_file_at_two_scales_is_not_mixed(walk_clip):
     assert Layout(scaled(1.0).skeleton) != Layout(scaled(1.7).skeleton)  # another unit
 
 
-@pytest.mark.parametrize("samples", [(-60, 0), (0, 10), (-10, 10), (10, 0, -10), (-9, 0, 0, 9),
-                                     (-9.5, 0, 9), (-61, 0, 9)])
-def test_offsets_that_are_no_window_are_refused(walk_clip, samples):
-    with pytest.raises(ValueError, match="samples are ascending whole frames from -60 on: past"):
-        Layout(walk_clip.skeleton, samples=samples)
-
-
-@pytest.mark.parametrize(("limbs", "why"), [
-    (("left_hand", 1), "a limb of the phases must be named by a text, got 1"),
-    (("left_hand", "\0"), "the name of a limb of the phases has characters that cannot be printed"),
-    ("left_hand", "a limb of the phases: expected a list of names, got the text 'left_hand'")])
-def test_limbs_of_a_file_that_are_no_names_are_refused(walk_clip, limbs, why):
-    stored = Layout(walk_clip.skeleton).to_json() | {"phase_limbs": limbs}
-    with pytest.raises(ValueError, match=f"^{why}"):
-        Layout.from_json(stored)
-
-
 def test_the_mean_velocity_of_a_style_clip_is_that_of_its_root():
     goes = torch.tensor([[0.1, 1.0], [-0.3, 2.0]])
     velocity = torch.full((2, 240, 3, 3), 9.0)

@@ -409,15 +409,6 @@ def test_the_command_shows_size_and_terms_and_asks(root, server, capsys, monkeyp
     assert "is there already" in capsys.readouterr().out
 
 
-@pytest.mark.parametrize(("arguments", "problem"), [
-    (["xia"], "'xia' cannot be fetched; known: 100style, lpn-film-100style, bandai"),
-    (["bandai", "--sha256", "abc"], "--sha256 expects 64 hexadecimal digits, got 'abc'"),
-])
-def test_bad_arguments(arguments, problem, capsys):
-    assert main(["data", "fetch", *arguments]) == 2
-    assert capsys.readouterr().err == f"error: {problem}\n"
-
-
 def test_the_layouts_of_the_other_archives(shared, tmp_path, monkeypatch):
     monkeypatch.setenv("TOOLKIT_DATA", str(tmp_path / "home"))
     # the published parameters, spread over two folders of a repository

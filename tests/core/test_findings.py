@@ -6,18 +6,17 @@ import torch
 
 import toolkit as tk
 from experiments.defects import alarms, part, takes
-from experiments.tables import Result
 from toolkit.evaluation import defects, findings
 
 
 @pytest.fixture(scope="module")
 def walk():
-    return tk.datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=4.0)[0]
+    return tk.datasets.procedural.generate("Neutral", seconds=4.0)
 
 
 @pytest.fixture(scope="module")
 def stand():
-    return tk.datasets.load("procedural", styles=["Neutral"], gaits=["ID"], seconds=3.0)[0]
+    return tk.datasets.procedural.generate("Neutral", "ID", 3.0)
 
 
 def kinds(clip, **options):
@@ -72,11 +71,6 @@ def test_a_standing_foot_that_trembles_does_not_slide(stand):
     assert not {"slide", "short slide", "drift"} & kinds(stand.replace(root_positions=root))
 
 
-def test_a_run_may_be_rougher_than_a_walk_and_not_twice_as_rough():
-    for parts in findings.LIMITS.values():
-        assert all(walk <= run < 2 * walk for walk, run in parts.values())
-
-
 def test_a_knee_that_bends_backwards(walk):
     skeleton, twist = walk.skeleton, torch.zeros(len(walk), 1, 3)
     upper = skeleton.offsets[skeleton.role("left_knee")]
@@ -115,8 +109,6 @@ def test_recorded_takes_that_made_no_limit_are_seldom_alarmed(shared):
     seconds, found = alarms(clips)
     assert seconds > 100
     assert found.get("any", 0) <= 0.05 * seconds  # of few takes
-    rows = {row["part"]: row for row in Result.load("defects").rows}
-    assert rows["alarms"]["any"] <= 0.02
 
 
 @pytest.mark.parametrize("axis", [0, 2])

@@ -119,12 +119,6 @@ def test_what_is_no_start_is_refused_in_one_line(small_run, given, match):
         runtime.start(**{"model": small_run.model, "style": small_run.bank["Zombie"]} | given)
 
 
-def test_a_style_of_other_characters_is_refused(small_run):
-    state = runtime.start(small_run.model, small_run.bank["Zombie"])
-    with pytest.raises(ValueError, match=r"^a style is one vector \[S\], or \[1, S\] of all chara"):
-        state.with_style(small_run.bank.vectors)
-
-
 RAGGED = [torch.zeros(2), torch.zeros(3)]
 
 

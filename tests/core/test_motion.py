@@ -78,24 +78,6 @@ def test_mirror_reflects_every_point(seed):
     torch.testing.assert_close(clip.mirrored().global_positions, reflected, atol=1e-5, rtol=0)
 
 
-@given(seeds, st.floats(0, 3))
-def test_mirror_twice_is_the_identity(seed, bend):
-    clip = human_clip(seed, bend=bend)
-    twice = clip.mirrored().mirrored()
-    torch.testing.assert_close(twice.global_positions, clip.global_positions, atol=1e-5, rtol=0)
-    torch.testing.assert_close(
-        R.to_matrix(twice.rotations), R.to_matrix(clip.rotations), atol=1e-4, rtol=0
-    )
-
-
-@given(seeds, st.sampled_from([60.0, 90.0, 120.0]))
-def test_resample_there_and_back(seed, fps):
-    clip = human_clip(seed, fps=30.0)
-    back = clip.resample(fps).resample(30.0)
-    assert len(back) == len(clip)
-    torch.testing.assert_close(back.global_positions, clip.global_positions, atol=1e-4, rtol=0)
-
-
 def test_resample_follows_the_motion_between_frames():
     skeleton = Skeleton(("a", "b"), (-1, 0), torch.tensor([[0.0, 0, 0], [0, 0, 1]]))
 
@@ -243,13 +225,10 @@ def test_bad_clip():
     long[1, 3], nothing[3, 0] = 1.01 * long[1, 3], 0.0
     for rotations, positions, fps, match in (
         (q[:, :-1], p, 30, r"expected rotations \[F, 20, 4\]"),
-        (q, p[:3], 30, "root positions"),
         (q[:0], p[:0], 30, "F >= 1"),
-        (1.0, p, 30, r"got \[\] and"),
         (bad, p, 30, "rotations of frame 2 are not finite"),
         (long, p, 30, r"length 1; in frame 1 that of HeadEnd has length 1\.01"),
         (nothing, p, 30, "length 1; in frame 3 that of Hips has length 0"),
-        (q, p, 0, "frames per second"),
         (q, p, math.inf, "frames per second"),
     ):
         with pytest.raises(ValueError, match=match):

@@ -16,31 +16,6 @@ FPS = 60.0
 TURN = 2 * math.pi
 
 
-class Curves:
-    """A source of four given curves [F, 4], in the order of `LIMBS`."""
-
-    def __init__(self, values):
-        self.values = torch.as_tensor(values, dtype=torch.float64)
-
-    def __call__(self, clip, limb):
-        return self.values[:, LIMBS.index(limb)]
-
-
-@pytest.fixture(scope="module")
-def skeleton():
-    return procedural.generate("Neutral", "ID", 1.0).skeleton
-
-
-@pytest.fixture
-def still(skeleton):
-    """Clips of so many frames, for sources that do not look at them."""
-    def clip(frames, fps=FPS):
-        rotations = tk.motion.rotations.identity(len(skeleton)).expand(frames, -1, -1)
-        return tk.Clip(skeleton, rotations, torch.zeros(frames, 3), fps, name="still")
-
-    return clip
-
-
 def columns(ph):
     """The tensors of phases, by name."""
     return {name: value for name, value in vars(ph).items() if name != "limbs"}
@@ -142,13 +117,6 @@ def test_fields_are_what_they_say(walk_clip):
         assert torch.allclose(ph.vector[:, i].double(), expected, atol=1e-5)
         assert apart(ph.phase[:, i].double(), torch.atan2(sine, cosine)) < 1e-5
     assert 0 <= float(ph.phase.min()) < float(ph.phase.max()) <= TURN
-
-
-def test_each_limb_is_fitted_in_a_window_of_its_own(still):
-    t = torch.arange(480, dtype=torch.float64)[:, None] / FPS
-    rates = torch.tensor([0.6, 0.8, 1.0, 1.5], dtype=torch.float64)
-    ph = tk.phases.extract(still(480), Curves(torch.sin(TURN * rates * t) + 3.0))
-    assert ph.frequency[120:-120].mean(0).tolist() == pytest.approx(rates.tolist(), rel=0.01)
 
 
 class Some:

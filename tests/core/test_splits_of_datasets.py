@@ -140,17 +140,6 @@ def test_the_verb_writes_a_split(tables, tmp_path):
     assert json.loads(path.read_text()) == tk.datasets.split("100style", root=tables).to_json()
 
 
-@pytest.mark.parametrize(("split", "message"), [
-    ([], "expected an object with lists of blocks"),
-    ({"train": [["A", "FW", 0]], "test": []}, "block 0 of train: expected .style, gait"),
-    ({"train": [], "test": [["A", "FW", 5, 5]]}, "block 0 of test: expected .style, gait"),
-    ({"train": [], "test": [], "gap": -1}, "expected gap, a number of frames"),
-])
-def test_what_is_no_split_is_refused(split, message):
-    with pytest.raises(ValueError, match=message):
-        leaks.find(split)
-
-
 def test_only_two_datasets_have_a_split():
     with pytest.raises(ValueError, match="no split of 'procedural'; known: 100style, bandai"):
         tk.datasets.split("procedural")

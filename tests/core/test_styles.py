@@ -7,7 +7,7 @@ import re
 
 import pytest
 import torch
-from course.style_space import clip_vectors, separation
+from course.style_space import clip_vectors
 from safetensors import safe_open
 
 import toolkit as tk
@@ -133,7 +133,7 @@ def short_walks(monkeypatch):
 
 @pytest.fixture(scope="module")
 def crouch():
-    return tk.datasets.load("procedural", styles=["Crouch"], gaits=["FW"], seconds=6.0)[0]
+    return tk.datasets.procedural.generate("Crouch", seconds=6.0)
 
 
 @pytest.fixture(scope="module")
@@ -308,30 +308,6 @@ def test_style_add_writes_the_same_file_with_one_vector_more(tmp_path, small_run
     assert re.search(r"Mine +near it: \w+ \(\d", capsys.readouterr().out)
 
 
-def clusters(spread: float) -> tuple[torch.Tensor, list[str]]:
-    noise = torch.randn(24, 4, generator=torch.Generator().manual_seed(3))
-    centres = torch.tensor([[0.0, 0, 0, 0], [4.0, 0, 0, 0], [0.0, 4, 0, 0]])
-    return centres.repeat_interleave(8, 0) + spread * noise, [
-        style for style in "abc" for _ in range(8)
-    ]
-
-
-def test_separation_is_the_mean_silhouette():
-    vectors, labels = clusters(1.2)
-    found = separation(vectors, labels)
-    apart = torch.cdist(vectors, vectors).view(24, 3, 8)
-    for k, style in enumerate("abc"):
-        own = []
-        for row in apart[8 * k : 8 * k + 8]:
-            a, b = float(row[k].sum()) / 7, min(float(row[j].mean()) for j in range(3) if j != k)
-            own.append((b - a) / max(a, b))
-        assert found[style] == pytest.approx(sum(own) / 8, abs=1e-5)
-    assert min(separation(*clusters(0.05)).values()) > 0.95
-    for styles in (["a", "a", "b"], ["a", "a", "a"], ["a", "a"]):
-        with pytest.raises(ValueError, match="two styles or more, of two clips or more each"):
-            separation(torch.zeros(3, 2), styles)
-
-
 def test_vectors_of_single_clips_average_to_the_style(small_run):
     clips = tk.datasets.load("procedural", styles=["Neutral", "Zombie"], gaits=["FW"], seconds=12.0)
     data = tk.features.build(clips)
@@ -343,7 +319,7 @@ def test_vectors_of_single_clips_average_to_the_style(small_run):
 
 @pytest.fixture(scope="module")
 def zombie():
-    return tk.datasets.load("procedural", styles=["Zombie"], gaits=["FW"], seconds=6.0)[0]
+    return tk.datasets.procedural.generate("Zombie", seconds=6.0)
 
 
 def test_a_style_walks_as_its_clip_and_another_one_does_not(zombie, fast, monkeypatch):
@@ -372,7 +348,7 @@ def test_a_style_walks_as_its_clip_and_another_one_does_not(zombie, fast, monkey
     ("Head", (1, 0, 0), {"head": 20.0}), ("Head", (0, 0, 1), {"head": 20.0}),
     ("Head", None, {"head": 0.0}), ("LeftKnee", (1, 0, 0), {"knees": 10.0})])
 def test_a_nod_and_bent_knees_are_measured_and_a_look_aside_is_not(joint, axis, seen):
-    clip = tk.datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=2.0)[0]
+    clip = tk.datasets.procedural.generate("Neutral", seconds=2.0)
     rotations, at = clip.rotations.clone(), clip.skeleton.index(joint)
     axis = torch.tensor([axis]).float() if axis else comparison.up_of_head(clip)
     turn = R.from_axis_angle(axis, torch.full((len(axis),), math.radians(20)))
@@ -403,7 +379,7 @@ def test_a_broken_style_fails_and_says_why(zombie, fast):
 
 def test_the_commands_lead_along_the_path_of_the_clip(monkeypatch):
     monkeypatch.undo()  # of the short walks
-    clip = tk.datasets.load("procedural", styles=["Neutral"], gaits=["TR1"], seconds=10.0)[0]
+    clip = tk.datasets.procedural.generate("Neutral", "TR1", 10.0)
     warm_up = round(comparison.WARM_UP * 60)
     orders = comparison.commands(clip)[warm_up:]
     roots = tk.motion.root_frames(clip)
@@ -434,7 +410,7 @@ def test_a_walk_repeats_itself_where_its_tempo_changes(zombie):
      "covers 0.0"),
     (lambda clip: clip.replace(rotations=clip.rotations[:1].expand_as(clip.rotations)),
      "never leaves the floor|do not pass each other"),
-    (lambda _: tk.datasets.load("procedural", styles=["HopLeft"], gaits=["FW"])[0],
+    (lambda _: tk.datasets.procedural.generate("HopLeft"),
      "do not pass each other"),
 ])
 def test_what_is_no_walk_is_refused_with_the_reason(zombie, change, why):

@@ -403,7 +403,7 @@ def test_training_learns_to_rebuild_and_to_tell_apart(motions):
 
 
 def test_restyling_keeps_body_path_rate_and_length(walks, model):
-    clip = tk.datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=6.0)[0]
+    clip = tk.datasets.procedural.generate("Neutral", seconds=6.0)
     assert clip.fps == 60
     assert any(clip.skeleton.is_end(j) for j in range(len(clip.skeleton)))
     made = st.stylize(model, clip, domain="Zombie", seed=3)
@@ -521,10 +521,7 @@ def test_bad_input_is_one_line(walks, model, motions, tmp_path):
         (lambda: model.code_of(torch.zeros(1, 7, 32, 23), "Zombie"), "T >= 64"),
         (lambda: halves.split(motions, 1.0, 0), "must lie between 0 and 1, got 1"),
         (lambda: training.Config(losses=("adv", "style")), "unknown loss style; known: adv, cyc"),
-        (lambda: training.Config(losses=("cyc",)), "the losses need adv"),
         (lambda: training.Config(rates={"generator": 1.0}), "rates must be numbers from 0"),
-        (lambda: training.Config(seconds=0), "training needs some seconds, got 0"),
-        (lambda: networks.Sizes(code=0), "code must be a whole number from 1, got 0"),
         (lambda: st.fit(motions.select(motions.domain == 0), few), "no motion of Zombie"),
         (lambda: st.Stylizer.load(junk), r"junk\.safetensors: the stylizer in it is damaged"),
     ):

@@ -350,11 +350,8 @@ def test_a_loop_is_whole_strides():
     assert loop(walk(20)) == (0, 20)
 
 
-@pytest.mark.parametrize("suffix", [".gif", ".webp"])
-def test_an_animation_plays_at_the_clips_speed(clip, tmp_path, suffix):
-    path = view.animate(
-        [clip, walk(30, style="Old")], tmp_path / f"walk{suffix}", height=60, fps=10
-    )
+def test_an_animation_plays_at_the_clips_speed(clip, tmp_path):
+    path = view.animate([clip, walk(30, style="Old")], tmp_path / "walk.webp", height=60, fps=10)
     with Image.open(path) as picture:
         assert picture.n_frames == 10
         frames = []
@@ -386,18 +383,3 @@ def test_a_film_is_one_that_browsers_play(clip, tmp_path):
             wanted = np.asarray(picture.convert("RGB")).astype(int)[:140, : stream.width]
             errors = [np.abs(frame - wanted).mean() for frame in frames]
             assert errors[k] == min(errors) < 5
-
-
-def test_lines_on_the_floor_show_the_travel(drawer, clip, tmp_path):
-    changes = []
-    for forward in (1.0, 0.0):
-        moving = clip.replace(
-            root_positions=clip.root_positions * torch.tensor([1.0, 1.0, forward])
-        ).cut(0, 13)
-        with Image.open(view.animate(moving, tmp_path / "walk.png", height=100, fps=10)) as picture:
-            floors = []
-            for k in (0, 1):
-                picture.seek(k)
-                floors.append(np.asarray(picture.convert("RGB")).astype(int)[-8:])
-        changes.append(np.abs(floors[0] - floors[1]).mean())
-    assert changes[0] > 1 > 5 * changes[1]

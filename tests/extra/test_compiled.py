@@ -2,7 +2,6 @@
 
 import dataclasses
 import re
-from itertools import islice
 
 import numba
 import pytest
@@ -10,7 +9,6 @@ import torch
 from numba.core.caching import IndexDataCacheFile
 
 import toolkit as tk
-from experiments import crowds
 from toolkit import runtime
 from toolkit.extra.compiled import network
 from toolkit.io import compilation
@@ -177,13 +175,9 @@ def test_bad_input_is_refused(pretrained, small_run):
             runtime.step(compiled, wrong, Command())
     with pytest.raises(ValueError, match="one pair of numbers or 3, got 2"):
         runtime.step(compiled, state, Command(torch.zeros(2, 2)))
-    with pytest.raises(ValueError, match="one character"):
-        compiled.roll(state, 1, None)
     one = runtime.start(model, bank["Old"])
     with pytest.raises(ValueError, match=r"a style needs \d+ columns"):
         compiled.roll(one, 1, lambda *_: ((0.0, 0.0), (0.0, 1.0), torch.zeros(3)))
-    with pytest.raises(AttributeError, match="no 'gating'"):
-        compiled.gating  # noqa: B018
     with pytest.raises(ValueError, match="is a compiled one already"):
         runtime.compile(compiled)
 
@@ -220,18 +214,6 @@ def test_damaged_compiled_code_is_compiled_again_and_stored(damage, suffix, tmp_
 
 def raised(error):
     raise error
-
-
-def test_crowds_cross_and_keep_apart(pretrained):
-    _, compiled, bank = pretrained
-    scene = crowds.streams(12, 0, 1.0).spaced(compiled, bank, 0.1)
-    roots = torch.stack([state.root[:, :2] for state in
-                         islice(scene.states(compiled, bank), 540)])
-    assert len({shot.name for shot in scene.shots}) == 12
-    assert min(float((torch.cdist(at, at) + 9 * torch.eye(12)).min()) for at in roots) > 0.9
-    through = (roots[-1] - roots[0]).norm(dim=-1)
-    assert float(through.min()) > 1.0  # a slow style, which others overtake
-    assert float(through.median()) > 5.0
 
 
 @pytest.mark.parametrize(("kept", "frames", "compiles", "words"), [

@@ -149,26 +149,6 @@ def test_roles_unit_and_up_that_do_not_fit_are_refused(tmp_path):
     assert tk.inspect(path, roles={"left_toe": "LeftFoot"}).rules["left_toe"] == "given"
 
 
-def test_a_leg_without_length_is_no_leg(tmp_path):
-    clip = rigs.walk("LaFAN1", seconds=0.5)
-    offsets = clip.skeleton.offsets.clone()
-    offsets[[clip.skeleton.names.index(name) for name in ("LeftLeg", "LeftFoot")]] = 2e-7
-    path = tmp_path / "walk.bvh"
-    skeleton = tk.Skeleton(clip.skeleton.names, clip.skeleton.parents, offsets)
-    tk.bvh.save(clip.replace(skeleton=skeleton), path)
-    with pytest.warns(UserWarning, match="are at the same place"):
-        clip = tk.load(path)
-    assert "left_knee" not in clip.skeleton.roles
-    assert "right_knee" in clip.skeleton.roles
-
-
-def test_files_of_other_kinds_are_refused_in_a_line(tmp_path):
-    for name in ("walk.c3d", "walk", "walk.zip"):
-        problem = r"no reader for this kind of file; there are readers for \.bvh"
-        with pytest.raises(ValueError, match=problem):
-            tk.load(tmp_path / name)
-
-
 def test_sides_that_are_exchanged_are_noticed(tmp_path):
     """As by a program whose axes are left-handed."""
     clip = rigs.walk("LaFAN1", seconds=1.0)
@@ -180,23 +160,6 @@ def test_sides_that_are_exchanged_are_noticed(tmp_path):
     tk.bvh.save(clip.replace(skeleton=exchanged), tmp_path / "walk.bvh")
     with pytest.warns(UserWarning, match="joints called left are on the right of the body"):
         tk.load(tmp_path / "walk.bvh")
-
-
-@pytest.mark.parametrize(
-    ("degrees", "place"), [(-90, (0, 0.12, -0.9)), (90, (0.9, 0.12, 0.9)), (90, (0, 0.6, 0.9))]
-)
-def test_a_body_that_lies_beside_the_origin_is_doubted(tmp_path, degrees, place):
-    """Its feet are near zero along the axis of the body, as those of a standing body are."""
-    clip = rigs.walk("LaFAN1", seconds=1.0)
-    turn = R.from_euler(torch.deg2rad(torch.tensor([float(degrees), 0, 0])), "XYZ")
-    others = R.identity(len(clip), len(clip.skeleton) - 1)
-    rotations = torch.cat((turn.expand(len(clip), 1, 4), others), 1)
-    positions = torch.tensor(place).float().expand(len(clip), 3)
-    lying = clip.replace(rotations=rotations, root_positions=positions)
-    tk.bvh.save(lying, tmp_path / "sleep.bvh")
-    with pytest.warns(UserWarning, match="or lies with y up: .* is taken; up= decides"):
-        tk.load(tmp_path / "sleep.bvh")
-    assert tk.load(tmp_path / "sleep.bvh", unit="cm", up="y").global_positions[..., 1].amax() < 1.2
 
 
 @pytest.mark.parametrize(

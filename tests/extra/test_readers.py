@@ -11,7 +11,6 @@ from motion_files import Document, axis_angles, fbx, fbx_scene, packed, smpl_wal
 
 import toolkit as tk
 from toolkit.extra.formats import fbx as fbx_reader, gltf, humanml3d, npz
-from toolkit.extra.formats.gltf_file import unit_quaternions
 from toolkit.motion import forward_kinematics
 
 
@@ -48,18 +47,6 @@ def quaternions(angles):
     angles = np.asarray(angles, float)
     zero = np.zeros_like(angles)
     return np.float32(np.stack((np.sin(angles / 2), zero, zero, np.cos(angles / 2)), -1))
-
-
-def test_our_motion_through_glb_and_back(walk_clip, tmp_path):
-    tk.extra.engines.gltf.save(walk_clip, tmp_path / "walk.glb")
-    made = gltf.read(tmp_path / "walk.glb")
-    assert made.fps == walk_clip.fps
-    assert made.unit == 1.0
-    assert made.up == "y"
-    assert not made.doubts
-    assert set(made.ends) == set(walk_clip.skeleton.ends)
-    order = [made.names.index(name) for name in walk_clip.skeleton.names]
-    assert (world(made)[:, order] - walk_clip.global_positions).abs().max() < 1e-4
 
 
 @pytest.mark.parametrize("kind", ["LINEAR", "STEP", "CUBICSPLINE"])
@@ -263,29 +250,19 @@ def hostile(change):
 
 @pytest.mark.parametrize(("change", "problem"), [
     (lambda d: d["accessors"][0].update(count=10**12), "reaches beyond its buffer"),
-    (lambda d: d["accessors"][1].pop("bufferView"), "accessor 1 has no numbers"),
     (lambda d: d["bufferViews"][1].update(byteStride=1), "reaches beyond its buffer"),
     (lambda d: d["bufferViews"][1].update(byteOffset=-4), "byteOffset should be a whole number"),
     (lambda d: d["bufferViews"][1].update(extensions={"EXT_meshopt_compression": {}}),
      r"`npx @gltf-transform/cli cp a\.glb plain\.glb` unpacks it"),
-    (lambda d: d["accessors"][0].update(type="VEC3"), "should have 1 values in a row"),
     (lambda d: d["nodes"][2].update(children=[1]), "two parents"),
     (lambda d: d["nodes"].append({"children": [len(d["nodes"])]}), "their own ancestors"),
     (lambda d: d["nodes"][1].update(translation=[0, float("nan"), 0]), "should be 3 numbers"),
     (lambda d: d["nodes"][0].update(scale=[-1, 1, 1]), "mirrored by a negative scale"),
-    (lambda d: d["animations"][0]["samplers"][0].update(interpolation="BEZIER"),
-     "unknown interpolation 'BEZIER'"),
     (lambda d: d.update(nodes={}), "nodes should be a list of objects"),
     (lambda d: d.update(animations=[]), "there are no joints"),
 ])
 def test_hostile_gltf_files(tmp_path, change, problem):
     assert refused(gltf.read, written(tmp_path / "a.glb", hostile(change)), problem) is ValueError
-
-
-def test_rotations_of_a_file_are_scaled_to_length_1():
-    turns = np.array([[0.0, 0.0, 3.0, 4.0], [0.1, -0.1, 0.1, 0.1]])
-    unit = unit_quaternions(turns)
-    assert unit.tolist() == [pytest.approx([0, 0, 0.6, 0.8]), pytest.approx([0.5, -0.5, 0.5, 0.5])]
 
 
 def test_forged_times_take_no_memory(tmp_path):
@@ -506,11 +483,9 @@ def test_numpy_files_that_cannot_be_read(tmp_path):
     good = {"poses": np.zeros((4, 72)), "trans": np.zeros((4, 3))}
     for arrays, problem in (
         (good | {"poses": np.zeros((4, 70))}, "poses should be"),
-        (good | {"trans": np.zeros((3, 3))}, r"should be \[4, 3\]"),
         (good | {"poses": np.full((4, 72), np.nan)}, "poses has numbers that are not finite"),
         ({"x": np.zeros(3)}, "no motion in it"),
         (good | {"fps": -1.0}, "fps should be frames per second"),
-        (good | {"poses": np.zeros((0, 72))}, "poses should be"),
         ({"posed_joints": np.zeros((4, 77, 3))}, "kimodo_convert makes BVH"),
         (good | {"poses": np.array([{"a": 1}])}, "Python objects, which could run code"),
     ):

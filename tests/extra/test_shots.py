@@ -10,7 +10,6 @@ import torch
 from hypothesis import given, strategies as st
 
 import toolkit as tk
-from experiments.tables import Result
 from toolkit.extra.shots import Scene, Shot, apart, pins
 from toolkit.extra.shots.feasibility import arrival, beside
 from toolkit.extra.shots.following import FPS, Course, Curve
@@ -436,15 +435,6 @@ def test_pins_are_reached_and_the_feet_and_the_frames_between_stay(embedded):
     to = torch.tensor(PINNED.pins[1].look) - ahead[1]
     look = tk.motion.rotations.rotate(ahead[0], made.skeleton.facing_axis)
     assert float((look * to).sum() / to.norm()) > math.cos(0.3)
-
-
-def test_the_stored_shots_reach_their_pins():
-    rows = Result.load("pins").rows
-    assert len(rows) == 10
-    assert max(row["off"] for row in rows) < 1e-4 < 0.5 < min(row["floor"] for row in rows)
-    assert max(row["cost"] for row in rows) < 2
-    found, walk = ([row[name] for row in rows] for name in ("found", "walk"))
-    assert (found.count(0), sum(found), sum(walk)) == (5, 14, 15)
 
 
 def test_a_pinned_pose_is_taken_where_the_character_stands(embedded):

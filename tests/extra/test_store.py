@@ -1,6 +1,5 @@
 """The store: the same features as in memory, whatever happened while it was made."""
 
-import json
 import os
 import shutil
 import subprocess
@@ -233,16 +232,3 @@ def test_what_cannot_work_is_refused_before_the_work(root, made, tmp_path, capsy
     train = ["train", "--data", str(made), "--mirror", "--out", str(tmp_path / "run.safetensors")]
     assert main(train) == 2
     assert "a store has its own --root, --gaits, --mirror and --listed" in capsys.readouterr().err
-
-
-@pytest.mark.parametrize(("change", "said"), [
-    ({"format": "other"}, "expected the format"), ({"styles": []}, "no styles"),
-    ({"styles": ["a\x1b[31mb"]}, "a style"), ({"settings": 3}, "int"),
-])
-def test_a_damaged_manifest_is_refused_in_one_line(made, tmp_path, change, said):
-    manifest = json.loads((made / "manifest.json").read_text())
-    (tmp_path / "manifest.json").write_text(json.dumps(manifest | change))
-    with pytest.raises(ValueError, match=r"manifest\.json: the manifest is damaged") as error:
-        tk.features.store.load(tmp_path)
-    assert said in str(error.value)
-    assert str(error.value).isprintable()
