@@ -9,7 +9,7 @@ from torch.nn import functional
 from toolkit.motion.clip import Clip
 from toolkit.motion.skeleton import FEET
 
-BALL = 0.01  # thickness of the floor, metres
+BALL = 0.01  # metres (ours): thickness of the floor
 HEIGHT = 0.01  # d_max of the paper, metres
 REACH = 0.06  # metres above the floor in which a slow toe may stand; a lifted foot is higher
 MAJORITY = 5 / 60  # seconds, half the width of the majority vote
@@ -22,9 +22,10 @@ def detect(clip: Clip, *, height: float | None = None, speed: float | Tensor = 0
     A foot is in contact when its toe is low and slow; a majority vote over the neighbouring frames
     then removes flicker.
 
-    Departure from the paper: there d_max is 1 cm for all clips. In recordings with markers on the
-    toes, a standing toe moves up and down by several centimetres, and 1 cm leaves out most of a
-    step. By default d_max follows from the clip, see `standing_range`, and is 1 cm or more.
+    Departure from the paper: there d_max is 1 cm, or chosen by hand for a motion, and there is no
+    vote. In recordings with markers on the toes, a standing toe moves up and down by several
+    centimetres, and 1 cm leaves out most of a step. By default our d_max follows from the clip, see
+    `standing_range`, and is 1 cm or more.
 
     Parameters
     ----------

@@ -27,6 +27,7 @@ class BlendedLinear(nn.Module):
 
     def __init__(self, experts: int, n_in: int, n_out: int):
         super().__init__()
+        # the bound of the published run: a product, where Xavier's has the sum
         bound = math.sqrt(6.0 / (n_in * n_out))
         self.weight = nn.Parameter(torch.empty(experts, n_in, n_out).uniform_(-bound, bound))
         self.bias = nn.Parameter(torch.zeros(experts, n_out))

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from toolkit.motion import ik as held, trajectory
+from toolkit.motion import ik, trajectory
 from toolkit.motion.skeleton import FEET
 from toolkit.networks import phase
 from toolkit.runtime import frame, steering
@@ -65,15 +65,15 @@ def rules_of(model) -> Rules:
         may_stand=steering.ALIGNED[0],
         aligned=steering.ALIGNED[1],
         stands=frame.STANDS,
-        slack=held.SLACK,
-        near=held.NEAR,
-        let_go=held.RETURN,
+        slack=ik.SLACK,
+        near=ik.NEAR,
+        let_go=ik.RETURN,
         pull=phase.PULL,
-        soft=held.SOFT,
-        swing=held.SWING,
-        room=held.ROOM,
-        deepest=held.DEEPEST,
-        fall=held.FALL,
+        soft=ik.SOFT,
+        swing=ik.SWING,
+        room=ik.ROOM,
+        deepest=ik.DEEPEST,
+        fall=ik.FALL,
     )
 
 
@@ -108,8 +108,8 @@ class Body(NamedTuple):
                     for side in FEET
                 ]
             ),
-            chains=np.array(held.leg_chain(skeleton)),
+            chains=np.array(ik.leg_chain(skeleton)),
             arms=np.array(
-                [pair for bones in held.arm_bones(skeleton) for pair in zip(*bones, strict=True)]
+                [pair for bones in ik.arm_bones(skeleton) for pair in zip(*bones, strict=True)]
             ),
         )

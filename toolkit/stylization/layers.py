@@ -70,7 +70,7 @@ class GraphConv(nn.Module):
 class AdaIN(nn.Module):
     """Adaptive instance normalisation (equation 4): (1 + γ) IN(x) + β, linear in the style code.
 
-    Equation 4 of the paper prints mean and deviation in each other's place.
+    In equation 4, σ is the mean and μ the variance. We divide by the deviation, as is usual.
     """
 
     def __init__(self, code: int, channels: int):

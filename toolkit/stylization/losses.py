@@ -1,8 +1,8 @@
 """The losses of Park et al. 2021 (section 6.2).
 
 Where the paper writes a norm over a motion, these losses take a mean: for the two content losses of
-squares or of the norms of single joints, for L1 of magnitudes. So they do not depend on the numbers
-of frames and joints.
+the norms of single joints, for L1 of magnitudes. So they do not depend on the numbers of frames and
+joints.
 """
 
 import torch
@@ -32,14 +32,12 @@ def r1(real: Tensor, x: Tensor) -> Tensor:
     return slope.square().flatten(1).sum(1).mean() / 2
 
 
-def content(x: Tensor, rebuilt: Tensor, squared: bool = True) -> Tensor:
-    """Cycle and identity loss (equations 8 and 9): mean squared difference of z-scores.
+def content(x: Tensor, rebuilt: Tensor) -> Tensor:
+    """Cycle and identity loss (equations 8 and 9) of z-scores, as in the published code.
 
-    Not ``squared``, it is the mean norm of a joint's seven differences in a frame, as in the
-    published code: the gradient does not vanish as the difference becomes small.
+    The mean norm of a joint's seven differences in a frame. The gradient of a norm, unlike that of
+    its square, does not vanish as the difference becomes small.
     """
-    if squared:
-        return functional.mse_loss(rebuilt, x)
     return (rebuilt - x).square().sum(1).add(1e-8).sqrt().mean()
 
 

@@ -35,9 +35,9 @@ BETAS = (0.9, 0.99)
 class Config:
     """How to train; the defaults are the paper's (appendix A.2), for hours on a graphics card.
 
-    Departure: `BETAS`, which have no field here, and the R1 term are those of the published code.
-    Each field from ``squared`` to ``r1_every`` is a departure from the paper where it is not at its
-    default; `quick` has them all.
+    Departures without a field: `BETAS` and the R1 term are those of the published code, and the
+    diversity loss has a bound (`losses.diversity`). Each field from ``other_window`` to
+    ``r1_every`` is a departure where it is not at its default; `quick` has them all.
     """
 
     losses: tuple[str, ...] = losses.LOSSES  # Table 1 leaves out "ds", then "sty"
@@ -50,7 +50,6 @@ class Config:
     weights: dict[str, float] = field(  # λ
         default_factory=lambda: dict.fromkeys((*losses.LOSSES, "r1"), 1.0))
     seconds: float = math.inf  # training ends after this time or after the iterations
-    squared: bool = True  # content losses of squares, or of the norms of joints (`losses.content`)
     other_window: bool = False  # a source's own code is that of another window of its domain
     fading: bool = False  # "ds" only for codes from noise, second result constant, weight falls
     warm_up: int = 0  # first iterations, which train G and E alone by "id", as an autoencoder
@@ -83,15 +82,13 @@ class Config:
     def quick(cls, **changes) -> "Config":
         """Minutes on one core: small networks, decaying high rates, stronger R1, all departures.
 
-        All λ are the paper's. With content losses of squares, G's gradient of the adversarial loss
-        would be about twenty times that of each other one: it would learn to please D long before
-        it learns to keep a motion.
+        The λ of the five losses are the paper's.
         """
         iterations = changes.get("iterations", 2000)
         return cls(**{
             "sizes": Sizes.small(), "iterations": iterations, "final_rate": 0.1,
-            "squared": False, "other_window": True, "fading": True,
-            "warm_up": min(300, iterations // 5), "r1_every": 4,
+            "other_window": True, "fading": True, "warm_up": min(300, iterations // 5),
+            "r1_every": 4,
             "rates": dict(zip(NETWORKS, (2e-3, 1e-3, 1e-3, 1e-3), strict=True)),
             "weights": dict.fromkeys(losses.LOSSES, 1.0) | {"r1": 5.0},
         } | changes)
@@ -250,9 +247,9 @@ def terms_of(stylizer: Stylizer, discriminator: Discriminator, batch: dict[str, 
     terms = {"adv": losses.adversarial(discriminator(fake, batch["target"]))}
     if "cyc" in config.losses:
         back = stylizer.generator(fake, made["own"])
-        terms["cyc"] = losses.content(x, back, config.squared)
+        terms["cyc"] = losses.content(x, back)
     if "id" in config.losses:
-        terms["id"] = losses.content(x, made["same"], config.squared)
+        terms["id"] = losses.content(x, made["same"])
     if "sty" in config.losses:
         terms["sty"] = losses.style(made["code"], stylizer.encoder(fake, batch["target"]))
     if "second" in made:
@@ -277,11 +274,11 @@ def _step(stylizer: Stylizer, discriminator: Discriminator, adams: dict[str, tor
         adam.param_groups[0]["lr"] = config.rates[name] * rate
     if n < config.warm_up:
         rebuilt = stylizer.generator(batch["x"], _own_code(stylizer, batch, config))
-        term = losses.content(batch["x"], rebuilt, config.squared)
+        term = losses.content(batch["x"], rebuilt)
         _descend(config.weights["id"] * term, [adams["generator"], adams["encoder"]])
         return _finite({"id": term}, n)
     from_noise = n % 2 == 0  # in odd iterations codes come from references
-    learning = NETWORKS[:3] if from_noise else NETWORKS[:2]  # of the two, E makes the codes
+    learning = NETWORKS[:3] if from_noise else NETWORKS[:2]  # F only where it makes the codes
     made = translations(stylizer, batch, config, from_noise)
 
     # D: real motions of their own domains against results

@@ -61,7 +61,8 @@ def load(folder: str | os.PathLike | None = None, *, calibrated: bool = False) -
 
     The model has no FiLM generator: only the style vectors that it gave were published. Each part
     of the vector of Drunk is two to five times as long as the median of the others', and a
-    character with it hardly walks.
+    character with it hardly walks. ``life`` and ``lift`` of the model are ours: 0 and 1 turn them
+    off.
 
     Parameters
     ----------
