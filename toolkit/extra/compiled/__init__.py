@@ -18,7 +18,7 @@ from toolkit.runtime import rules
 from toolkit.runtime.frame import CharacterState, pose, start, step
 from toolkit.runtime.steering import Command
 
-KERNELS = (frame.steer, network.predict, frame.follow, ik.pose)
+KERNELS = (frame.steer, network.predict, frame.after_network, ik.pose)
 READ, MADE = 120, 1500  # least frames for which kernels are read, and are compiled, by `quick`
 Pair = tuple[float, float]
 Ask = Callable[[int, Pair], tuple[Sequence[float], Sequence[float], Tensor]]  # see `roll`
@@ -133,7 +133,7 @@ class CompiledModel:
         """One frame of all characters; ``x`` and ``z`` are from `_room`."""
         frame.steer(old, wanted, look, self._rules, x, new)
         network.predict(x, old.phase, old.style, self.weights, z)
-        frame.follow(old, z, self._rules, self._body, new)
+        frame.after_network(old, z, self._rules, self._body, new)
 
     def _room(self, count: int) -> tuple[np.ndarray, np.ndarray]:
         """Arrays for the network's inputs and outputs."""

@@ -1,8 +1,8 @@
 """What a step computes before and after the network: `toolkit.runtime.step` in scalar loops.
 
-Each function corresponds to the function of that name in `toolkit.runtime`, or to a part of it, and
-computes in doubles. Constants are arguments (`Rules`), so that compiled code on disk never holds an
-old constant.
+A function with the name of one in `toolkit.runtime`, `toolkit.motion.ik` or
+`toolkit.networks.phase` computes the same, in doubles. Constants are arguments (`Rules`), so that
+compiled code on disk never holds an old constant.
 """
 
 import math
@@ -55,7 +55,7 @@ def _moved(history, now, rules):
 
 
 @njit
-def _govern(history, drive, velocity, rules):
+def _speed_controller(history, drive, velocity, rules):
     wanted = math.hypot(velocity[0], velocity[1])
     if wanted <= rules.moves:
         return _lerp(drive, 1.0, 0.05)
@@ -69,7 +69,7 @@ def _govern(history, drive, velocity, rules):
 
 
 @njit
-def _straighten(old, b, velocity, rules, new):
+def _direction_controller(old, b, velocity, rules, new):
     """`toolkit.runtime.steering.direction_controller` of one character."""
     asked_x = _lerp(np.float64(old.asked[b, 0]), velocity[0], rules.asked)
     asked_z = _lerp(np.float64(old.asked[b, 1]), velocity[1], rules.asked)
@@ -116,7 +116,7 @@ def steer(old, wanted, look, rules, x, new):
         new.velocity[b, 0], new.velocity[b, 1] = vx, vz
         new.facing[b, 0], new.facing[b, 1] = facing
         drive = np.float64(old.drive[b, 0])
-        new.drive[b, 0] = _govern(history, drive, (vx, vz), rules)
+        new.drive[b, 0] = _speed_controller(history, drive, (vx, vz), rules)
         pace = rules.standing if math.hypot(vx, vz) < rules.moves else -rules.starting
         rest = min(max(np.float64(old.rest[b, 0]) + pace, 0.0), 1.0)
         new.rest[b, 0] = rest
@@ -125,7 +125,7 @@ def steer(old, wanted, look, rules, x, new):
         moved = _moved(history, len(history) - 1, rules)
         still = 1.0 - min(math.hypot(vx, vz) / rules.slow, drive / rules.low)
         hold = rules.stand_still * max(still, 0.0)
-        across = _straighten(old, b, (vx, vz), rules, new)
+        across = _direction_controller(old, b, (vx, vz), rules, new)
         asked, pace = _pair(new.asked[b]), max(math.hypot(moved[0], moved[1]), rules.slow)
         walks = min(math.hypot(goal_x, goal_z) / pace, 1.0)
         pull_x = drive * vx + hold * (_lerp(vx, asked[0], walks) - moved[0]) + across[0]
@@ -166,7 +166,7 @@ def _toes(history, joints, rules, place):
 
 
 @njit
-def _hold(toes, drift, before, predicted, contacts, left, rules, new_toes, new_drift):
+def _foot_lock(toes, drift, before, predicted, contacts, left, rules, new_toes, new_drift):
     """`toolkit.motion.ik.foot_lock` of one character."""
     seconds = 1 / rules.fps
     fade = math.exp(-rules.let_go * seconds)
@@ -239,8 +239,11 @@ def _advance(phase, update, predicted, pull, new):
 
 
 @compiled()
-def follow(old, z, rules, body, new):
-    """Fill the rest of the new state from the network's outputs ``z [N, Dz]`` (section 4.4)."""
+def after_network(old, z, rules, body, new):
+    """Fill the rest of the new state from the network's outputs ``z [N, Dz]`` (section 4.4).
+
+    This is the end of `toolkit.runtime.frame.predicted`, and `toolkit.runtime.frame.planted`.
+    """
     width, count = old.joints.shape[1], old.phase.shape[1]
     before, predicted = np.empty((2, 3)), np.empty((2, 3))
     for b in range(len(old.history)):
@@ -300,5 +303,5 @@ def follow(old, z, rules, body, new):
         _toes(history, pose, rules, predicted)
         left, toes, contacts = (new_cos, -new_sin), new.toes[b], new.contacts[b]
         toes_were, drift, new_drift = old.toes[b], old.drift[b], new.drift[b]
-        _hold(toes_were, drift, before, predicted, contacts, left, rules, toes, new_drift)
+        _foot_lock(toes_were, drift, before, predicted, contacts, left, rules, toes, new_drift)
         ik.plant(body, rules, toes, history[-1], contacts, old.drop[b], new.drop[b], pose)

@@ -10,7 +10,7 @@
 //   crowd: the skeleton of these bodies, or null
 //   bvh: {header, joints, centimetre} of a recording;  traits: first values for controller.js
 // }
-import { copy, follow, stand, steer, unit } from "./frame.js";
+import { afterNetwork, copy, stand, steer, unit } from "./frame.js";
 import { Life } from "./life.js";
 import { Network } from "./network.js";
 import { numbers } from "./numbers.js";
@@ -50,7 +50,7 @@ export function advance(characters, commands, styles) {
   network.predict(characters.map(({ state, x, z }, c) => ({ x, z, phase: state.phase, style: styles[c] })));
   for (const character of characters) {
     const { state, spare, body, z } = character;
-    follow(state, z, rules, spare);
+    afterNetwork(state, z, rules, spare);
     plant(spare, state.drop, body, rules);
     [character.state, character.spare] = [spare, state];
   }

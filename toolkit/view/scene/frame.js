@@ -1,8 +1,9 @@
-// What a frame does before and after its network (runtime.py, steering.py; compiled/frame.py, whose functions these are).
+// What a frame does before and after its network. The functions have the names of those in compiled/frame.py, runtime/steering.py
+// and motion/ik.py.
 //
 // state: float64 arrays named as those of runtime.CharacterState: history [61 * 4], future [6 * 4], drive [1], joints [12 J], phase,
 //   velocity [2], facing [2], asked [2], aside [1], rest [1], contacts [2], toes [2 * 3], drift [2 * 3], drop [2]
-// rules: compiled/frame.py's Rules, and where a joint's position, forward, up and velocity are in its `width` numbers
+// rules: runtime/rules.py's Rules, and where a joint's position, forward, up and velocity are in its `width` numbers
 
 export const copy = (state) => Object.fromEntries(Object.entries(state).map(([name, values]) => [name, Float64Array.from(values)]));
 
@@ -45,7 +46,7 @@ function moved(history, ago, rules) {
   return [(history[here] - history[there]) * scale, (history[here + 1] - history[there + 1]) * scale];
 }
 
-function govern(history, drive, velocity, rules) {
+function speedController(history, drive, velocity, rules) {
   const wanted = Math.hypot(...velocity);
   if (wanted <= rules.moves) return lerp(drive, 1, 0.05);
   const [x, z] = unit(velocity);
@@ -58,7 +59,7 @@ function govern(history, drive, velocity, rules) {
 }
 
 // change of the target velocity that opposes the lateral velocity; fills asked and aside of the new state
-function straighten(old, velocity, rules, next) {
+function directionController(old, velocity, rules, next) {
   const asked = velocity.map((v, i) => lerp(old.asked[i], v, rules.asked)), [x, z] = unit(velocity), now = moved(old.history, 0, rules);
   const lateral = (now[0] - asked[0]) * z - (now[1] - asked[1]) * x, walks = Math.hypot(...velocity) > rules.moves;
   next.asked.set(asked);
@@ -82,11 +83,11 @@ export function steer(old, command, rules, x, next) {
   next.velocity.set(velocity);
   next.facing.set(facing);
   const drive = old.drive[0], rest = clamp(old.rest[0] + (speed < rules.moves ? rules.standing : -rules.starting), 0, 1);
-  next.drive[0] = govern(history, drive, velocity, rules);
+  next.drive[0] = speedController(history, drive, velocity, rules);
   next.rest[0] = rest;
 
   const slow = rules.stand_still * Math.max(1 - Math.min(speed / rules.slow, drive / rules.low), 0);
-  const across = straighten(old, velocity, rules, next), now = moved(history, 0, rules);
+  const across = directionController(old, velocity, rules, next), now = moved(history, 0, rules);
   const walks = Math.min(Math.hypot(...command.velocity) / Math.max(Math.hypot(...now), rules.slow), 1);
   const pull = velocity.map((v, i) => drive * v + slow * (lerp(v, next.asked[i], walks) - now[i]) + across[i]);
   const rootX = history[here], rootZ = history[here + 1], sin = history[here + 2], cos = history[here + 3];
@@ -118,8 +119,8 @@ function toes({ history, joints }, rules) {
   });
 }
 
-// ik.py's hold
-function hold(old, before, predicted, left, rules, next) {
+// ik.py's foot_lock
+function footLock(old, before, predicted, left, rules, next) {
   const seconds = 1 / rules.fps, fade = Math.exp(-rules.let_go * seconds);
   for (const side of [0, 1]) {
     const there = predicted[side], other = predicted[1 - side], inwards = left.map((v) => (side ? -v : v));
@@ -168,7 +169,7 @@ function pose(was, z, [sin, cos], [right, ahead], contacts, rules, joints) {
 }
 
 // Fills the rest of the new state from the network's outputs z (section 4.4).
-export function follow(old, z, rules, next) {
+export function afterNetwork(old, z, rules, next) {
   const { history, future } = next, here = history.length - 4;
   const [rootX, rootZ, sin, cos] = old.history.subarray(here);
   history.set(old.history.subarray(4));
@@ -199,5 +200,5 @@ export function follow(old, z, rules, next) {
     const share = Math.min((rules.pull * Math.hypot(...update)) / Math.max(Math.hypot(...total), 1e-6), 0.5);
     for (const k of [0, 1]) next.phase[i + k] = lerp(lerp(total[k], z[rules.phases + i + k], share), old.phase[i + k], still);
   }
-  hold(old, toes(old, rules), toes(next, rules), [newCos, -newSin], rules, next);
+  footLock(old, toes(old, rules), toes(next, rules), [newCos, -newSin], rules, next);
 }
