@@ -82,6 +82,8 @@ def limbs(*chains: tuple[str, ...]) -> tuple[list[str], list[int]]:
         ([("Alpha", "ForeArm", "Hand"), ("Alpha", "Wing")], "left_shoulder", None),
         # two parts that count the same, in an order that no leg has
         ([("Knee", "Thigh", "Foot")], "left_foot", "LeftFoot"),
+        # the thigh of SOMA's skeleton (Kimodo) has a name that is the shin's elsewhere
+        ([("Leg", "Shin", "Foot", "ToeBase")], "left_hip", "LeftLeg"),
     ],
 )
 def test_a_joint_without_a_fitting_name_is_found_beside_its_neighbour(chains, role, joint):

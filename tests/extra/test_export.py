@@ -134,6 +134,11 @@ def test_amass_poses_are_those_of_the_clip(tmp_path, zombie):
     with np.load(path) as file:
         made = dict(file)
     assert made["poses"].shape == (len(zombie), 156)
+    # as AMASS names the body in its SMPL-X files, which tools of robots read
+    assert made["pose_body"].shape == (len(zombie), 63)
+    body = np.concatenate((made["root_orient"], made["pose_body"]), 1)
+    assert np.array_equal(body, made["poses"][:, :66])
+    assert made["mocap_frame_rate"].item() == 60.0
     assert made["trans"].shape == (len(zombie), 3)
     assert made["trans"][:, 2].min() > 0.5  # z is up
     assert not made["betas"].any()

@@ -442,7 +442,8 @@ def test_our_motion_through_smpl_poses_and_back(smpl, tmp_path, width):
         (doubt,) = made.doubts
         assert "bone lengths are those of an average person" in doubt
         assert (made.rotations[:, :22] - smpl.rotations).abs().max() < 1e-5
-        places = made.root_positions - torch.tensor(npz.ORIGIN)
+        origin = npz.ORIGIN_X if width == 165 else npz.ORIGIN  # SMPL-X's is lower
+        places = made.root_positions - torch.tensor(origin)
         assert (places - smpl.root_positions).abs().max() < 1e-6
         assert made.names[:22] == npz.BODY
         assert len(made.names) == (24 if width == 72 else 22)
@@ -487,6 +488,8 @@ def test_numpy_files_that_cannot_be_read(tmp_path):
         ({"x": np.zeros(3)}, "no motion in it"),
         (good | {"fps": -1.0}, "fps should be frames per second"),
         ({"posed_joints": np.zeros((4, 77, 3))}, "kimodo_convert makes BVH"),
+        ({"positions": np.zeros((4, 22, 3)), "parent_indices": np.arange(22) - 1},
+         "names of their own, as AI4AnimationPy writes them"),
         (good | {"poses": np.array([{"a": 1}])}, "Python objects, which could run code"),
     ):
         path = written(tmp_path / "a.npz", packed(**arrays))

@@ -1,4 +1,4 @@
-"""A clip as SMPL-H poses in a NumPy file (.npz), as AMASS has them (Mahmood et al. 2019)."""
+"""A clip as SMPL-H and SMPL-X poses in a NumPy file (.npz), like AMASS (Mahmood et al. 2019)."""
 
 import io
 import math
@@ -21,8 +21,10 @@ def write(clip: Clip, path: Path, *, title: str, source: Clip | None, progress: 
     """Write ``poses [F, 156]``, ``trans [F, 3]``, ``betas``, ``gender`` and ``mocap_framerate``.
 
     The clip is put on the skeleton of an average person (`toolkit.extra.formats.npz.rest_pose`).
-    Metres and rotation vectors; z is up, as in AMASS. ``trans`` is the pelvis less its place in
-    SMPL's template, which is known to about a centimetre.
+    Metres and rotation vectors; z is up, as in AMASS. The body is there twice: AMASS's SMPL-X files
+    name it ``root_orient [F, 3]`` and ``pose_body [F, 63]``, and the rate ``mocap_frame_rate``.
+    ``trans`` is the pelvis less its place in SMPL's template, known to about a centimetre. That of
+    SMPL-X's is 12 cm away along y, which is level here: a reader of SMPL-X moves the whole path.
     """
     body = Skeleton(npz.BODY, npz.PARENTS[:22], npz.rest_pose(22).float(), roles=npz.ROLES)
     made = retarget(clip if character is None else character.fitted(clip), body).to("cpu")
@@ -41,6 +43,7 @@ def write(clip: Clip, path: Path, *, title: str, source: Clip | None, progress: 
     poses = np.zeros((len(made), WIDTH))
     poses[:, :66] = vectors.flatten(1).numpy()
     file = io.BytesIO()
-    np.savez(file, poses=poses, trans=place.numpy(), betas=np.zeros(SHAPES), gender="neutral",
-             mocap_framerate=made.fps)
+    np.savez(file, poses=poses, root_orient=poses[:, :3], pose_body=poses[:, 3:66],
+             trans=place.numpy(), betas=np.zeros(SHAPES), gender="neutral",
+             mocap_framerate=made.fps, mocap_frame_rate=made.fps)
     write_whole(path, file.getvalue())

@@ -32,14 +32,16 @@ _LEFT = {"hip": (0.05, -0.05, 0.0), "knee": (0.0, -0.245, 0.0), "ankle": (0.0, -
          "elbow": (0.186, 0.0, 0.0), "wrist": (0.146, 0.0, 0.0), "hand": (0.05, 0.0, 0.0)}
 _MIDDLE = {"pelvis": (0.0, 0.0, 0.0), "spine1": (0.0, 0.06, 0.0), "spine2": (0.0, 0.08, 0.0),
            "spine3": (0.0, 0.04, 0.0), "neck": (0.0, 0.12, 0.0), "head": (0.0, 0.05, 0.02)}
-ORIGIN = (0.0, -0.23, 0.0)  # metres from the origin of SMPL's template to its pelvis, roughly
+# Metres from the origin of the template to its pelvis, roughly: of SMPL and SMPL-H, of SMPL-X
+ORIGIN, ORIGIN_X = (0.0, -0.23, 0.0), (0.0, -0.35, 0.0)
 
 # Names of arrays, the first that is there counts
 RATES = ("mocap_framerate", "mocap_frame_rate", "fps", "frame_rate", "framerate")
 JOINTS = ("posed_joints", "joints", "positions", "new_joints", "joints3d", "motion", "arr_0")
 VECTORS = ("new_joint_vecs", "vectors", "motion", "arr_0")
 PLACES = ("trans", "transl", "translation")
-WANTED = {"poses", "root_orient", "pose_body", "global_orient", "body_pose", "Jtr",
+NAMED = "parent_indices"  # in a file whose joints have names of their own
+WANTED = {"poses", "root_orient", "pose_body", "global_orient", "body_pose", "Jtr", NAMED,
           *RATES, *JOINTS, *VECTORS, *PLACES}
 WIDTHS = (66, 72, 156, 165)  # of poses: SMPL-H's body, SMPL, SMPL-H and SMPL-X with hands
 COUNTS = {22: 22, 24: 24, 52: 22, 55: 22}  # joints of HumanML3D, SMPL, -H, -X: how many are read
@@ -83,6 +85,9 @@ def read(path: str | os.PathLike) -> Recording:
             said = said if said.isprintable() and said else type(error).__name__
             raise ValueError(f"not a whole NumPy file ({said})") from error
 
+        if NAMED in arrays:
+            raise ValueError("its joints have names of their own, as AI4AnimationPy writes them; "
+                             "its Motion.SaveToGLB writes a .glb")
         poses = _poses(arrays)
         if poses is not None:
             return _smpl(arrays, poses)
@@ -155,7 +160,9 @@ def _smpl(arrays: Mapping[str, np.ndarray], poses: Tensor) -> Recording:
     else:
         if not known:
             doubts.append("the file has no positions of the root; it was kept in its place")
-        place = place + torch.tensor(ORIGIN, dtype=torch.float64)
+        # SMPL-X has 55 joints, and 21 of a body that stands apart from the root
+        x = poses.shape[1] == 55 or (poses.shape[1] == 22 and "poses" not in arrays)
+        place = place + torch.tensor(ORIGIN_X if x else ORIGIN, dtype=torch.float64)
         doubts.append("bone lengths are those of an average person: "
                       "SMPL's own come with its licensed model")
     rate = _rate(arrays, USUAL, "", doubts)
