@@ -43,7 +43,7 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
         Direction (not a point) that the middle joint bends towards, of any length, not parallel to
         the line from `a` to the target. By default the limb bends to the same side as before,
         turned with the line from `a` to its end.
-    soft : share of the full length over which it does so, in [0, 1), a number or Tensor [..., 1]
+    soft : share of the full length, in [0, 1), a number or Tensor [..., 1]
     left : Tensor [..., 3]
         From the right hip to the left one: a knee that bends backwards is mirrored to the front.
 

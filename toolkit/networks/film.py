@@ -91,7 +91,8 @@ class FilmGenerator(nn.Module):
 
     Style clips have ``frames`` frames of ``n_in`` columns (12 J). Both convolutions have
     ``channels`` filters, ``kernel`` frames wide; the first dense layer has ``dense`` units, of
-    which training drops the share ``dropout``. The style vectors modulate layers of ``hidden``
+    which training drops the share ``dropout``. (The paper says that dropout is everywhere; in the
+    generator of the published run it is only here.) The style vectors modulate layers of ``hidden``
     units.
     """
 

@@ -14,7 +14,7 @@ from toolkit.features import Features, Layout, Normaliser, Rows, pack_joints, sp
 from toolkit.phases import LIMBS
 
 PULL = 0.5  # share of the way to the predicted local phase, for each radian that the phase moves
-#: (sin, cos) of a limb that is about to step: (±1, 0), here the ±1; of any other limb (0, 0).
+#: Sine of each limb's phase in a character that is about to step; the cosine is 0.
 ABOUT_TO_STEP = {"left_hand": -1.0, "right_hand": 1.0, "left_foot": 1.0, "right_foot": -1.0}
 
 

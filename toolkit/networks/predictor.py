@@ -37,7 +37,8 @@ class Sizes:
     film_kernel: int = 25  # their width, frames
     film_dense: int = 2048  # units of its first dense layer
     rank: int = 30  # of the PFNN's residual adapters
-    dropout: float = 0.3  # share of inputs that training drops, everywhere
+    # share of a layer's inputs that training drops; of the FiLM generator, only in its last layer
+    dropout: float = 0.3
 
     def __post_init__(self):
         for name, value in dataclasses.asdict(self).items():

@@ -168,8 +168,8 @@ def predicted(model, state: CharacterState, command: Command) -> CharacterState:
     kept = (stand > STANDS) & ((contacts > 0.5) | (state.contacts == 1.0))
     contacts = torch.where(kept, torch.ones_like(contacts), contacts)
 
-    # Pose: the mean of predicted and integrated positions, near the integrated ones. A leg in
-    # contact is only integrated, so that toes do not jump.
+    # Pose: the mean of predicted and integrated positions, at most `JUMP` from the integrated ones.
+    # A leg in contact is only integrated, so that toes do not jump.
     was, now = split_joints(state.joints), split_joints(out["joints"])
     share = torch.full_like(was["position"][..., :1], 0.5)
     share[:, leg_joints(layout), 0] *= 1.0 - (2 * contacts).clamp_max(1.0).repeat_interleave(3, -1)

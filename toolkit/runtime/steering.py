@@ -37,8 +37,7 @@ ASKED = 1 / 15  # share of the difference that a frame removes, for `CharacterSt
 ALIGNED = 0.87, 0.985  # cosines of the angle to the commanded facing: may begin to stand, may stand
 MOVES = 0.1  # m/s; slower commands are to stand
 LONGEST = 86_400.0  # seconds that `straight` and `follow` command: a day
-# of the numbers of a command: with much larger ones the network's output is not finite
-LARGEST = 1e6
+LARGEST = 1e6  # number of a command: with much larger ones the network's output is not finite
 LOOKAHEAD = 0.5  # seconds that a pilot looks ahead
 
 
@@ -91,9 +90,9 @@ def steer(
     Departure from the published run: the smoothed target changes by at most `FASTEST` and `SPIN`,
     and the target velocity opposes a false velocity: the lateral part of it while the character
     walks, all of it while the command or the speed factor is near 0, since a network can walk on
-    by itself. The right velocity is the command, as slow as a character follows it; a character
-    that is to stop is opposed at once. While the command is to stand, the blend grows until the
-    whole future stands still.
+    by itself. A velocity is false by its difference from ``asked``, the command at the pace at
+    which a character follows it; in one that is to stop, by its difference from the command. While
+    the command is to stand, the blend grows until the whole future stands still.
     """
     like = {"dtype": state.velocity.dtype, "device": state.velocity.device}
     wanted = torch.as_tensor(command.velocity, **like).reshape(-1, 2)
@@ -306,9 +305,9 @@ def towards(state: CharacterState, goal: Tensor, facing: Tensor, speed: float | 
 
 
 def turn(a: Tensor, b: Tensor, share: Tensor | float, most: float = math.inf) -> Tensor:
-    """Unit directions ``[..., 2]`` turned from a to b, the shorter way, by a share ``[...]``.
+    """Unit directions ``[..., 2]`` turned from a towards b, the shorter way.
 
-    ``most`` radians.
+    By a share ``[...]`` of the angle between them, but at most by ``most`` radians.
     """
     angle = torch.atan2(a[..., 0], a[..., 1])
     difference = torch.atan2(b[..., 0], b[..., 1]) - angle

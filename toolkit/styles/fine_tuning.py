@@ -63,11 +63,11 @@ def fine_tune(model: Predictor, clips: Clip | Sequence[Clip] | Features, name: s
               progress: bool = False) -> NewStyles:
     """Learn new styles from one or a few clips, without any change of the other styles.
 
-    Departures from the paper, which fine-tunes with the settings of training: there are few steps,
-    and the learning rate decays. As in `toolkit.training.Config.quick` some input poses are mixed
-    with other poses (pose mix-up), here with poses of the model's own walks, so that a character
-    can change to the new style from any other. And a penalty keeps a vector near those of the bank,
-    because one clip does not show all motions.
+    The paper says only that the generator is fine-tuned while the LPN is frozen. Ours are few steps
+    and a learning rate that decays. As in `toolkit.training.Config.quick` some input poses are
+    mixed with other poses (pose mix-up), here with poses of the model's own walks, so that a
+    character can change to the new style from any other. And a penalty keeps a vector near those of
+    the bank, because one clip does not show all motions.
 
     A share of the frames is held out (`HELD_OUT`). The error on half of them is measured every
     `EVERY` steps, and the best step is kept, which may be the initial one. The errors in the result
