@@ -202,31 +202,6 @@ def test_single_styles_over_a_bad_connection(root, server, plan):
     assert not server.plan
 
 
-@pytest.mark.parametrize("styles", [None, ALL])
-def test_unpacking_goes_on_with_what_came_before_a_stop(root, server, monkeypatch, styles):
-    copy, done = shutil.copyfileobj, []
-
-    def stop(packed, plain, size):
-        if len(done) == 3:
-            plain.write(packed.read(100))
-            raise KeyboardInterrupt
-        copy(packed, plain, size)
-        done.append(packed.name)
-
-    with monkeypatch.context() as stopped:
-        stopped.setattr(shutil, "copyfileobj", stop)
-        with pytest.raises(KeyboardInterrupt):
-            get(styles=styles)
-    assert left(root) == [".100style.fetch"]
-    first, done[:] = set(done), []
-    monkeypatch.setattr(shutil, "copyfileobj", lambda *a: (copy(*a), done.append(a[0].name)))
-    assert get(styles=styles)["files"] == 5
-    assert not first & set(done)
-    assert len(first | set(done)) == 5
-    assert styles or len(server.requests) == 1  # the archive was whole
-    assert left(root) == ["100style"]
-
-
 @pytest.mark.parametrize(("plan", "changes", "problem"), [
     (["whole", "whole", "changed"], {}, "another file than before"),
     (["whole", "shifted"], {}, "sends another part than bytes from [0-9]+ on: 'bytes 0-"),
@@ -361,15 +336,6 @@ def test_a_file_of_ones_own(root, tmp_path, server):
         get(root=tmp_path / "other", source=own)
     assert own.read_bytes() == b"junk"
     assert not list(tmp_path.glob("other*")) + list(tmp_path.glob(".other.fetch"))
-
-
-def test_no_room(root, server, monkeypatch):
-    usage = shutil.disk_usage(root.parents[1])
-    with monkeypatch.context() as full:
-        full.setattr(shutil, "disk_usage", lambda _: usage._replace(free=1_000_000))
-        with pytest.raises(OSError, match=r"needed to fetch and unpack .* 1,000,000 free"):
-            get()
-    assert not server.requests
 
 
 def test_another_folder_is_never_overwritten(root):

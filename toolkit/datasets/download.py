@@ -219,37 +219,14 @@ def members(opened: zipfile.ZipFile, place: Callable[[str], str | None]
 
 def unpack(opened: zipfile.ZipFile, chosen: dict[str, zipfile.ZipInfo], folder: Path,
            progress: bool = False) -> None:
-    """Unpack `members` of an archive into a folder, which then holds nothing else.
-
-    A file that is there from an earlier call, and has the size and checksum that the archive
-    states, is kept. OSError if the disk has no room, which is asked first.
-    """
-    folder.mkdir(parents=True, exist_ok=True)
-    for path in folder.rglob("*"):
-        if path.is_file() and path.relative_to(folder).as_posix() not in chosen:
-            path.unlink()
-    missing = {folder / path: info for path, info in chosen.items()
-               if not _holds(folder / path, info)}
+    """Unpack `members` of an archive into a folder, which then holds nothing else."""
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir()
     # zipfile never unpacks more bytes of a member than its header says, and checks the CRC-32
-    size = sum(info.file_size for info in missing.values())
-    room(folder, size, "unpack the archive")
+    size = sum(info.file_size for info in chosen.values())
     with progress_bar(total=size, unit="B", unit_scale=True, desc="unpack", show=progress) as bar:
-        for path, info in missing.items():
+        for name, info in chosen.items():
+            path = folder / name
             path.parent.mkdir(parents=True, exist_ok=True)
             with naming(path), opened.open(info) as packed, path.open("wb") as plain:
                 shutil.copyfileobj(packed, CallbackIOWrapper(bar.update, plain, "write"), 1 << 20)
-
-
-def _holds(path: Path, info: zipfile.ZipInfo) -> bool:
-    """Whether a file has the size and checksum of a member."""
-    if not path.is_file() or path.stat().st_size != info.file_size:
-        return False
-    return zlib.crc32(path.read_bytes()) == info.CRC
-
-
-def room(folder: Path, size: int, purpose: str) -> None:
-    """OSError if fewer than ``size`` bytes are free on the disk of the folder."""
-    free = shutil.disk_usage(folder).free
-    if free < size:
-        raise OSError(f"{folder}: {size:,} bytes are needed to {purpose}, the disk has {free:,} "
-                      "free")

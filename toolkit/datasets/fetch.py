@@ -2,7 +2,8 @@
 
 Archive and unpacked files lie in a hidden folder beside the dataset's. When they are checked, the
 unpacked folder takes the dataset's name in one step, with `RECORD` in it. Killed at any time, the
-same call goes on. Single styles of 100STYLE are read out of the archive on the server.
+same call goes on with the download. Single styles of 100STYLE are read out of the archive on the
+server.
 """
 
 import contextlib
@@ -21,7 +22,7 @@ from typing import BinaryIO
 import filelock
 
 from toolkit.datasets import bandai, home, published_files as parameters, style100
-from toolkit.datasets.download import RemoteFile, archive, download, members, room, unpack
+from toolkit.datasets.download import RemoteFile, archive, download, members, unpack
 from toolkit.datasets.takes import Names, check_names
 from toolkit.io import bvh
 from toolkit.io.files import parsed, read, write_whole
@@ -205,7 +206,10 @@ def _into(work: Path, origin: Origin, source: str, sha256: str | None, styles: l
         else:
             path = Path(source)
             if remote:
-                path = _whole(work, origin, source, expected, progress)
+                key = hashlib.sha256(f"{source} {expected}".encode()).hexdigest()
+                path = work / f"{key[:16]}.zip"
+                if not path.exists():
+                    download(source, path, bool(expected), progress)
             with path.open("rb") as whole:
                 digest = hashlib.file_digest(whole, "sha256").hexdigest()
             if expected and digest != expected:
@@ -232,16 +236,6 @@ def _into(work: Path, origin: Origin, source: str, sha256: str | None, styles: l
             fate = "removed; the same command tries again, --from takes another copy"
         raise ValueError(f"{error}: refused ({fate})") from error
     return digest
-
-
-def _whole(work: Path, origin: Origin, source: str, expected: str, progress: bool) -> Path:
-    """The archive, downloaded into ``work``."""
-    key = hashlib.sha256(f"{source} {expected}".encode()).hexdigest()
-    path = work / f"{key[:16]}.zip"
-    if not path.exists():
-        room(work, (origin.size or 0) + origin.unpacked, "fetch and unpack the archive")
-        download(source, path, bool(expected), progress)
-    return path
 
 
 def _parts(origin: Origin, source: str) -> BinaryIO:

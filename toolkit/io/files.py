@@ -42,15 +42,8 @@ def read(path: str | os.PathLike, most: int = LARGEST) -> bytes:
 
 
 def below(folder: str | os.PathLike) -> list[Path]:
-    """All that is in a folder and its sub-folders, sorted, however deep; links are not followed."""
-    found, folders = [], [os.fspath(folder)]
-    while folders:  # `Path.rglob` calls itself for each folder, and deep ones exceed its limit
-        with contextlib.suppress(PermissionError), os.scandir(folders.pop()) as entries:
-            for entry in entries:
-                found.append(Path(entry.path))
-                if entry.is_dir(follow_symlinks=False):
-                    folders.append(entry.path)
-    return sorted(found)
+    """All that is in a folder and its sub-folders, sorted."""
+    return sorted(Path(folder).rglob("*"))
 
 
 @contextlib.contextmanager
