@@ -22,6 +22,8 @@ def test_widths_are_the_papers(walk_clip):
     layout = Layout(walk_clip.skeleton)
     assert (layout.n_joints, layout.n_inputs, layout.n_outputs) == (25, 348, 342)
     assert (layout.n_phases, layout.n_clip) == (8, 300)
+    assert Layout(walk_clip.skeleton, samples=(-60, 0, 10)).n_inputs == 12 + 300
+    assert layout.bone_lengths(torch.zeros(7, 25, 3)).shape == (7, 24)
     legs = (0, 17, 18, 19, 0, 21, 22, 23)
     spine_and_arms = (-1, 0, 1, 2, 3, 4, 5, 4, 7, 8, 9, 10, 4, 12, 13, 14, 15)
     assert layout.parents == spine_and_arms + legs
@@ -179,7 +181,7 @@ def test_short_clips_are_left_out_where_that_is_asked_for(two_walks, walk_clip):
     data = features.build(others, source="contact", short="skip")
     assert data.takes["Neutral"].tolist() == [0] * 139
     others.append(short.replace(style="Brief"))
-    with pytest.warns(UserWarning, match=r"^style 'Brief' has no clip .* is left out$"):
+    with pytest.warns(UserWarning, match=r"^style 'Brief' has no clip of 112 frames .* out$"):
         assert features.build(others, source="contact", short="skip").styles == ["Neutral"]
     with pytest.raises(ValueError, match=r"^style 'Neutral' has no clip .* style from$"):
         features.build([short], short="skip")
@@ -235,6 +237,10 @@ def test_the_same_file_at_two_scales_is_not_mixed(walk_clip):
         tk.features.build([scaled(1.0), scaled(2.54)])
     assert Layout(scaled(1.0).skeleton) == Layout(scaled(1.15).skeleton)  # a tall person
     assert Layout(scaled(1.0).skeleton) != Layout(scaled(1.7).skeleton)  # another unit
+    longer = skeleton.offsets.clone()
+    longer[1] += 9  # metres: the first bone counts as the others
+    other = tk.Skeleton(skeleton.names, skeleton.parents, longer)
+    assert Layout(scaled(1.0).skeleton) != Layout(other)
 
 
 def test_the_mean_velocity_of_a_style_clip_is_that_of_its_root():
