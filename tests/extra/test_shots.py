@@ -10,10 +10,10 @@ import torch
 from hypothesis import given, strategies as st
 
 import toolkit as tk
-from toolkit.extra.shots import Scene, Shot, apart, pins
+from toolkit.extra.shots import Scene, Shot, apart, pins, reaching
 from toolkit.extra.shots.feasibility import arrival, beside
-from toolkit.extra.shots.following import FPS, Course, Curve
-from toolkit.extra.shots.scene import _aimed
+from toolkit.extra.shots.following import FPS, Course, Curve, nearest
+from toolkit.extra.shots.scene import _aimed, _limited
 
 S_PATH = Shot([(0, 0), (1, 2, 2.5), (-1, 4), (0, 6, 7.0)],
               [(0, "Neutral"), (2, "Neutral"), (3, {"Zombie": 0.5, "Neutral": 0.5})])
@@ -197,15 +197,32 @@ def test_those_who_make_room_do_not_go_back():
 
 
 def test_a_place_within_reach_needs_no_other_path():
-    held = Shot([(0, 0), (0, 4)], "Neutral", pins=[{"at": 2, "left_hand": (0.3, 1.2, 2)}])
+    held = Shot([(0, 0), (0, 4)], "Neutral", pins=[{"at": 2, "left_hand": (0.15, 1.2, 2)}])
     curve = held.plan(tk.pretrained().bank)[0].curve
     assert max(abs(curve.point(at)[0]) for at in curve.at) < 1e-9
+
+
+@pytest.mark.parametrize(("limbs", "place"), [
+    ({"right_hand": (0.6, 1.2, 2)}, (0.95, 1.5)),  # on the wrong side
+    ({"left_hand": (1.0, 1.2, 2)}, (0.65, 1.5)),  # too far
+    ({"left_hand": (0.9, 1.2, 2), "right_hand": (0.5, 1.2, 2)}, (0.7, 1.5)),
+    ({"left_foot": (0.2, 0.3, 2)}, (0.1, 1.7)),
+])
+def test_other_places_move_the_path_to_a_step_before_them(limbs, place):
+    held = Shot([(0, 0), (0, 4)], "Neutral", pins=[{"at": 2} | limbs], facing=(0, 1))
+    course = held.plan(tk.pretrained().bank)[0]
+    ((_, at, _),) = course.arrivals
+    assert course.curve.point(at) == pytest.approx(place)
 
 
 def test_places_near_a_wall_move_off_it():
     walls = np.array([[[-5.0, 0.6], [5.0, 0.6]]])
     moved = apart.parted(np.array([[0.0, 0.4], [2.0, -1.0]]), np.array([0.3, 0.3]), walls, 0.5)
     assert np.allclose(moved, [[0.0, 0.1], [2.0, -1.0]])
+    close = apart.parted(np.array([[0.0, 0.0], [0.0, 0.5]]), np.array([0.3, 0.3]), walls + 9, 0.5)
+    assert np.allclose(close, [[0.0, -0.0505], [0.0, 0.5505]])  # each by the half
+    slow = _limited(np.array([[3.0, 4.0], [0.0, 1.0], [0.0, 0.0]]), np.ones((3, 1)))
+    assert np.allclose(slow, [[0.6, 0.8], [0.0, 1.0], [0.0, 0.0]])
 
 
 @pytest.mark.parametrize(("arguments", "said"), [
@@ -437,6 +454,27 @@ def test_pins_are_reached_and_the_feet_and_the_frames_between_stay(embedded):
     assert float((look * to).sum() / to.norm()) > math.cos(0.3)
 
 
+def test_pins_of_all_kinds_move_a_walk_by_known_distances(walk_clip):
+    """Of the functions that tests/browser compares with those of the page, without a browser."""
+    walk = walk_clip.cut(0, 240)
+    (x, _, z), (to_x, _, to_z) = walk.root_positions[[0, -1]].tolist()
+    shot = Shot([(x, z), (to_x, to_z)], "Neutral", [(0, 1.2)], pins=[
+        {"at": 1, "to": 1.5, "right_hand": (x - 0.3, 1.5, z + 1.6), "look": (x + 3, 1.2, z)},
+        {"at": 1.6, "left_hand": (x + 0.5, 0.6, z + 2.0), "look": (x - 2, 0.2, z + 3)},
+        {"at": 2, "pose": {"Chest": (0.924, 0.383, 0, 0), "Hips": (1, 0, 0, 0)}},
+        {"at": 2.8, "right_foot": (x - 0.1, 0.3, z + 3), "left_hand": (x + 0.1, 1.0, z + 3.4)}])
+    course = dataclasses.replace(shot, pins=()).plan()[0]
+    rotations, root = reaching.pinned(walk.skeleton, walk.rotations.double(),
+                                      walk.root_positions.double(), shot.pins, course)
+    made = walk.replace(rotations=rotations.float(), root_positions=root.float())
+    gone = (made.global_positions - walk.global_positions).norm(dim=-1).mean(0)
+    joints = ("right_hand", "right_elbow", "left_hand", "left_elbow", "right_foot", "hips")
+    found = [float(gone[walk.skeleton.role(name)]) for name in joints]
+    found.append(float(gone[walk.skeleton.names.index("HeadEnd")]))
+    known = [0.38107, 0.25756, 0.44308, 0.39679, 0.20307, 0.16131, 0.54464]
+    assert found == pytest.approx(known, abs=5e-5)
+
+
 def test_a_pinned_pose_is_taken_where_the_character_stands(embedded):
     model, bank = embedded
     zombie = Shot([(0, 0), (0, 3)], "Zombie").render(model, bank)
@@ -478,6 +516,15 @@ def test_the_curve_goes_through_its_points_and_knows_a_circle():
     for (x, z), at in zip(points, curve.knots, strict=True):
         assert curve.point(at) == pytest.approx((x, z), abs=1e-9)
     assert curve.tangent(0.0) == pytest.approx((1.0, 0.0), abs=0.05)
+
+
+def test_places_are_found_near_the_plan_and_near_the_time():
+    back = Curve([(0, 0), (0, 6), (0.2, 6), (0.2, 0)], smooth=False)
+    for planned, found in ((1, 1.5), (10.5, 10.7)):  # the two ways pass each other
+        assert nearest(back, (0.1, 1.5), planned) == pytest.approx(found)
+    places = [(0.0, 9.0)] * 60 + [(0.0, 0.2)] + [(0.0, 0.1)] * 60
+    assert arrival((0.0, 0.0), 48 / FPS, places) == (pytest.approx(14 / FPS), 9.0)
+    assert arrival((0.0, 0.0), 50 / FPS, places) == (0.0, 0.1)
 
 
 def test_a_plan_meets_times_and_pauses():
