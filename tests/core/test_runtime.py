@@ -197,6 +197,9 @@ def test_pilots_keep_to_the_path(walk_clip):
 
 
 def test_bad_commands_are_refused(small_run):
+    ahead = [runtime.Command((0.0, 1.0), (0.0, 1.0)) for _ in range(2)]
+    assert len({*ahead}) == 2  # tensors have no single truth: each is equal to itself alone
+    assert ahead[0] != ahead[1]
     with pytest.raises(ValueError, match="no frames to record"):
         runtime.rollout(small_run.model, [], small_run.bank.vectors[0])
     with pytest.raises(ValueError, match="two or more different"):

@@ -2,6 +2,7 @@
 input.
 """
 
+import json
 import re
 import shutil
 import subprocess
@@ -71,8 +72,9 @@ def test_public_names_are_listed_and_there():
         assert getattr(tk, name) is not None
     assert tk.Clip is tk.motion.Clip
     assert tk.pretrained is tk.training.pretrained
-    with pytest.raises(AttributeError, match="nothing"):
-        tk.nothing  # noqa: B018
+    for name, said in (("nothing", "nothing"), ("evalution", "did you mean 'evaluation'")):
+        with pytest.raises(AttributeError, match=said):
+            getattr(tk, name)
 
 
 def test_without_the_view_extra_one_line_names_it(tmp_path):
@@ -128,6 +130,11 @@ def test_every_dependency_is_pinned_by_version_and_hashes(project):
     assert not re.sub(rf"^[\w.-]+==\S+(?: ; [^\\\n]+)?{hashes}\n", "", text, flags=re.MULTILINE)
     pins = dict(re.findall(r"^([\w.-]+)==([^\s+]+)", text, flags=re.MULTILINE))
     assert text.count(f"\ntorch=={pins['torch']}") == 2  # with CUDA and without: one version
+    made = (REPOSITORY / "Makefile").read_text(encoding="utf-8")
+    assert "HASHED := $(INSTALL) --require-hashes --requirement" in made
+    assert not re.search(r"INSTALL\).*constraints", made)  # torch neither
+    lock = json.loads((REPOSITORY / "toolkit/view/scene/package-lock.json").read_bytes())
+    assert all("integrity" in of for name, of in lock["packages"].items() if name)  # `npm ci`
     pinned = {re.sub(r"[-_.]+", "-", name.lower()): number for name, number in pins.items()}
     for name, bound in requirements(project, "dev").items():
         wanted, got = (tuple(int(n) for n in number.split(".")[:2])

@@ -10,7 +10,7 @@ import torch
 from motion_files import Document, axis_angles, fbx, fbx_scene, packed, smpl_walk
 
 import toolkit as tk
-from toolkit.extra.formats import fbx as fbx_reader, gltf, humanml3d, npz
+from toolkit.extra.formats import fbx as fbx_reader, gltf, gltf_file, humanml3d, npz
 from toolkit.motion import forward_kinematics
 
 
@@ -263,6 +263,16 @@ def hostile(change):
 ])
 def test_hostile_gltf_files(tmp_path, change, problem):
     assert refused(gltf.read, written(tmp_path / "a.glb", hostile(change)), problem) is ValueError
+
+
+def test_accessors_are_decoded_once_and_hold_a_limited_number_of_values(tmp_path, monkeypatch):
+    """Two channels with one sampler, of two times and two quaternions: ten values."""
+    path = written(tmp_path / "a.glb", hostile(lambda d: d["animations"][0]["channels"].append(
+        {"sampler": 0, "target": {"node": 2, "path": "rotation"}})))
+    monkeypatch.setattr(gltf_file, "MOST", 10 - path.stat().st_size)
+    assert len(gltf.read(path).rotations) == 4
+    monkeypatch.setattr(gltf_file, "MOST", 9 - path.stat().st_size)
+    refused(gltf.read, path, "its accessors have 10 values, more than a file of")
 
 
 def test_forged_times_take_no_memory(tmp_path):
