@@ -223,8 +223,8 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
     clips : one or several of one skeleton, labelled with style and gait; clips of the same style
         and gait share phase axes
     source : phase source, see `toolkit.phases`
-    mirror : add mirror images of all clips or of those that a function chooses: symmetric styles,
-        never idling (section 3.2)
+    mirror : add mirror images of all clips or of those that a function chooses: symmetric styles
+        (section 3.2), never idling (published run)
     short : ``"raise"``: a clip that holds no whole window is an error; ``"skip"``: it is left out,
         and with a warning a style that has no other
     samples : offsets of the trajectory window, see `Layout`; they must be those of the model that

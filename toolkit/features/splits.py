@@ -1,4 +1,4 @@
-"""Held-out frames, and the random streams that choose them (Mason et al. 2022, section 4.3).
+"""Held-out frames (Mason et al. 2022, section 5.2.2), and the random streams that choose them.
 
 Neighbouring frames are almost equal, and the features of a frame reach 60 frames back and 51 ahead.
 Frames whose window overlaps that of a held-out frame are therefore in neither part.
@@ -9,7 +9,7 @@ Frames whose window overlaps that of a held-out frame are therefore in neither p
 | `apart` | which other rows are for the training; the rest is dropped |
 | `style_clips` | which style clips the training sees |
 
-Departure from the paper: no part is for validation, and rows near those of the test are dropped.
+Departure from the published run: nothing is for validation, and rows near the test are dropped.
 """
 
 import contextlib

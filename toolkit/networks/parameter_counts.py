@@ -22,8 +22,8 @@ PRINTED = {
     "lpn-film": (4_935_928, 35_668_530, 2_048),
 }
 WHY = (
-    "the paper counts each convolution as filters × width weights and as many biases as it is "
-    "wide, without its input channels"
+    "the printed number counts each convolution as filters × width weights and as many biases as "
+    "it is wide, without its input channels"
 )
 
 

@@ -66,7 +66,8 @@ def curves(clip: Clip, source: Source) -> Tensor:
 class Contact:
     """The 0/1 foot contact (section 4.1.2). Hands have none: their curve and feature are 0.
 
-    ``height`` and ``speed`` are the limits of `toolkit.motion.contacts.detect`.
+    ``height`` and ``speed`` are the limits of `toolkit.motion.contacts.detect`; with the height 0
+    a toe stands up to 1 cm above the floor, as in the paper.
     """
 
     height: float | None = None

@@ -124,10 +124,10 @@ def refit(model: Predictor, bank: StyleBank, data: Features, steps: int = STEPS,
           pose_mixup: float = 0.3, progress: bool = False) -> StyleBank:
     """A bank whose vectors have less error on the frames of their styles; the model stays as it is.
 
-    Ours. The paper takes the mean of the vectors of a style's clips (section 4.4), which were never
-    trained as such. From there on, Adam minimises the mean squared error of the normalised outputs
-    over the frames of ``data``, whose styles the bank has. ``steps`` is the number of steps for
-    each style; ``pose_mixup`` is that of `Minibatches`.
+    Ours. The paper takes the mean of the vectors of a style's clips, or one (section 4.4). A mean
+    was never trained as such. From it on, Adam minimises the mean squared error of the normalised
+    outputs over the frames of ``data``, whose styles the bank has. ``steps`` is the number of steps
+    for each style; ``pose_mixup`` is that of `Minibatches`.
     """
     batches = Minibatches(data, BATCH, 1, seed, pose_mixup, model.memory)
     device = model.outputs_mean.device
