@@ -10,10 +10,11 @@ import toolkit as tk
 settings.register_profile("repeatable", derandomize=True, deadline=None, max_examples=25,
                           database=None)
 settings.load_profile("repeatable")
-#: Files that take longer than ten seconds.
-SLOW = {"test_docs", "test_exercises", "test_export", "test_own_models", "test_package",
-        "test_robustness", "test_runtime", "test_shots", "test_store", "test_styles",
-        "test_stylization_evaluation", "test_training", "test_web"}
+#: Files that take longer than ten seconds, the longest first.
+SLOW = ("test_shots", "test_export", "test_robustness", "test_styles", "test_exercises",
+        "test_store", "test_training", "test_own_models", "test_docs", "test_comparison",
+        "test_report", "test_runtime", "test_stylization_evaluation", "test_stylization",
+        "test_web", "test_package", "test_compiled", "test_published")
 torch.set_num_threads(1)  # small tensors: more threads only wait for each other
 
 
@@ -23,7 +24,9 @@ def pytest_collection_modifyitems(items):
         path = item.path
         if path.parent.name == "browser":
             return 0
-        return 1 if path.suffix == ".ipynb" else 2 if path.stem in SLOW else 3
+        if path.suffix == ".ipynb":
+            return 1
+        return 2 + (SLOW.index(path.stem) if path.stem in SLOW else len(SLOW))
 
     items.sort(key=turn)
 

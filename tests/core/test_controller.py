@@ -1,20 +1,12 @@
 import asyncio
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 import torch
-from course import server
-from jupyter_server.services.kernels.connection.channels import ZMQChannelsWebsocketConnection
 
 import toolkit as tk
 from toolkit.view.widgets import controller as module
 from toolkit.view.widgets.controller import Controller
-
-
-@pytest.fixture(scope="module")
-def trained():
-    return tk.pretrained()
 
 
 @pytest.fixture
@@ -57,8 +49,8 @@ def test_the_stick_points_in_the_world_and_shift_runs(control):
         assert abs(speed[1]) < 0.3
 
 
-def test_the_speed_is_that_of_the_blend_until_another_is_set(trained):
-    model, bank = trained
+def test_the_speed_is_that_of_the_blend_until_another_is_set(fast):
+    model, bank = fast
     control = Controller(model, bank)
     control.blend = {"Zombie": 0.5, "Neutral": 0.5}
     assert control.speed == pytest.approx((bank.speed("Zombie") + bank.speed("Neutral")) / 2)
@@ -115,18 +107,8 @@ def test_models_with_other_phases_walk_too(small_run, model, phases):
     control.close()
 
 
-def test_the_server_extension_sends_at_once():
-    settings = {"kernel_websocket_connection_class": ZMQChannelsWebsocketConnection}
-    made = SimpleNamespace(web_app=SimpleNamespace(settings=settings))
-    server._load_jupyter_server_extension(made)
-    assert settings["kernel_websocket_connection_class"] is server.PromptConnection
-    settings["kernel_websocket_connection_class"] = object  # somebody's own
-    server._load_jupyter_server_extension(made)
-    assert settings["kernel_websocket_connection_class"] is object
-
-
-def test_a_recording_becomes_a_clip(trained):
-    control = Controller(*trained)
+def test_a_recording_becomes_a_clip(fast):
+    control = Controller(*fast)
     with pytest.raises(ValueError, match="nothing recorded"):
         _ = control.clip
     control.advance(5)
@@ -146,9 +128,9 @@ def test_a_recording_becomes_a_clip(trained):
         _ = control.clip
 
 
-def test_a_long_recording_keeps_its_end(trained, monkeypatch):
+def test_a_long_recording_keeps_its_end(fast, monkeypatch):
     monkeypatch.setattr("toolkit.view.widgets.controller.KEPT", 0.1)
-    made = Controller(*trained)
+    made = Controller(*fast)
     made.recording = True
     made.steer(ahead=1)
     made.advance(20)
@@ -158,16 +140,16 @@ def test_a_long_recording_keeps_its_end(trained, monkeypatch):
     made.close()
 
 
-def test_bad_wishes_are_refused(control, trained):
+def test_bad_wishes_are_refused(control, fast):
     with pytest.raises(ValueError, match="three styles"):
-        Controller(*trained, styles=["Neutral"])
+        Controller(*fast, styles=["Neutral"])
     with pytest.raises(ValueError, match="Zombi"):
         control.blend = {"Zombi": 1}
     with pytest.raises(ValueError, match="one to three weights"):
         control.blend = {"Zombie": -1}
 
 
-def test_it_runs_while_a_page_looks_and_waits_otherwise(trained, monkeypatch):
+def test_it_runs_while_a_page_looks_and_waits_otherwise(fast, monkeypatch):
     monkeypatch.setattr(module, "PATIENCE", 0.1)  # six frames
 
     async def until(test):
@@ -176,7 +158,7 @@ def test_it_runs_while_a_page_looks_and_waits_otherwise(trained, monkeypatch):
                 await asyncio.sleep(0.005)
 
     async def watch():
-        control = Controller(*trained)
+        control = Controller(*fast)
         control.send = lambda content, buffers: None
         await until(lambda: control.frames == 7)  # no page said anything
         for _ in range(20):

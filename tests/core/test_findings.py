@@ -98,7 +98,7 @@ def test_a_shot_is_rendered_first(fast):
 
 def test_the_published_drunk_shakes(shared):
     model, bank = tk.published.load(shared / "lpn_film_100style")
-    command = tk.runtime.straight(1.0, 2.0)
+    model, command = tk.runtime.compile(model), tk.runtime.straight(1.0, 2.0)
     for style in ("Drunk", "Neutral", "Old"):
         shakes = "shake" in kinds(tk.runtime.rollout(model, command, style=bank[style]))
         assert shakes == (style == "Drunk") == (bank.labels()[style] == f"{style} (shakes)")

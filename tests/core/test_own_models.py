@@ -23,7 +23,8 @@ TINY = Sizes(hidden=32, experts=4, gating=8, film_channels=8, film_kernel=5, fil
 def run(request, two_styles):
     """A model of `NAMES` after 90 steps; later tests of the same process do not know it."""
     runpy.run_path(str(EXAMPLES / f"{request.param.replace('-', '_')}.py"), run_name="own")
-    yield tk.training.fit(two_styles, Config.quick(model=request.param, steps=90, sizes=TINY))
+    config = Config.quick(model=request.param, steps=90, refit=5, sizes=TINY)
+    yield tk.training.fit(two_styles, config)
     del registry._found[f"model.{request.param}"]
 
 

@@ -101,6 +101,7 @@ def test_feet_of_real_motion(walk):
 def test_all_styles_but_drunk_walk_upright_with_toes_that_stand(published):
     """At one metre a second; toes in contact of ten styles move by 0.5 cm/s (the median)."""
     model, bank = published
+    model = runtime.compile(model)
     others = [i for i, name in enumerate(bank.names) if i % 5 == 0 and name != "Drunk"]
     hips = model.layout.names.index("Hips")
     run = list(runtime.states(model, runtime.straight(1.0, 6.0), bank.vectors[others]))
