@@ -1,7 +1,13 @@
-"""The site that `make docs` built: pages fit a phone, pictures and scripts load."""
+"""The site that `make docs` built.
 
+Links lead to files and anchors, pages fit a phone, pictures and scripts load.
+"""
+
+import html
 import os
+import re
 from pathlib import Path
+from urllib.parse import unquote
 
 import pytest
 
@@ -14,6 +20,35 @@ PAGES = sorted(
 WIDTHS = (1280, 390)
 
 pytestmark = pytest.mark.skipif(not PAGES, reason="the site is not built: make docs")
+
+
+def test_links_within_the_site_lead_to_files_and_anchors():
+    texts = {page: (SITE / page).read_text(encoding="utf-8") for page in PAGES}
+    # an address in the data of a figure is no link
+    texts = {
+        page: re.sub(r"<script.*?</script>", "", text, flags=re.DOTALL)
+        for page, text in texts.items()
+    }
+    anchors = {
+        page: {html.unescape(name) for name in re.findall(r'\sid="([^"]+)"', text)}
+        for page, text in texts.items()
+    }
+    wrong = []
+    for page, text in texts.items():
+        for link in map(
+            html.unescape,
+            set(re.findall(r'<(?:a|img|iframe|link)\s[^>]*?(?:href|src)="([^"]*)"', text))
+        ):
+            if re.match(r"[a-z]+:", link):
+                continue
+            file, _, anchor = link.partition("#")
+            target = (SITE / page).parent / unquote(file.partition("?")[0]) if file else SITE / page
+            known = anchors.get(Path(os.path.relpath(target, SITE)).as_posix())
+            if not target.is_file() or (
+                anchor and known is not None and unquote(anchor) not in known
+            ):
+                wrong.append(f"{page}: {link}")
+    assert not wrong, wrong[:20]
 
 
 @pytest.mark.parametrize("width", WIDTHS)

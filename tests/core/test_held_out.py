@@ -7,46 +7,9 @@ import pytest
 import torch
 from test_training import QUICK, waves
 
-import toolkit as tk
-from experiments.seven_models import models, recorded, results
+from experiments.seven_models import models
 from toolkit import training
 from toolkit.training.loss import STEPS, refit
-
-
-@pytest.fixture(scope="module")
-def clips():
-    return tk.datasets.load("procedural", styles=["Neutral", "Zombie"], gaits=["FW"], seconds=6.0)
-
-
-def test_a_character_begins_in_the_recorded_pose_and_place(clips):
-    model, bank = tk.pretrained()
-    some = recorded.moments(clips)
-    state = recorded.beginning(model, some, torch.stack([bank[m.clip.style] for m in some]))
-    for i, m in enumerate(some):
-        plain = dataclasses.replace(state, style=state.style[:, :0])
-        rotations, root = tk.runtime.pose(model, plain, feet=False)
-        clip = m.clip.replace(rotations=rotations[i : i + 1], root_positions=root[i : i + 1])
-        there = clip.global_positions[0]
-        assert (there - m.clip.global_positions[m.at]).norm(dim=-1).max() < 0.02
-        torch.testing.assert_close(state.root[i], m.world[m.at])
-
-
-def test_followed_recordings_stay_near_them_and_floors_are_farther(clips, monkeypatch):
-    monkeypatch.setattr(recorded, "SECONDS", 1.0)
-    model, bank = tk.pretrained()
-    recogniser = tk.evaluation.recognition.train(tk.features.build(clips), steps=10)
-    run = training.Run(model, bank.select(["Neutral", "Zombie"]))
-    rows = recorded.compared([run], clips, recogniser)
-    found = {row["measure"]: row for row in rows}
-    for name, most in (("global-position", 0.25), ("geodesic", 0.4)):
-        row = found[name]
-        assert row["model"][0] < min(most, row["other"][0])
-        assert row["model"][0] < row["still"]
-        assert row["real"] == pytest.approx(0, abs=1e-5)
-    assert found["skate-rsmt"]["still"] == pytest.approx(0, abs=1e-6)
-    drawn = results.recorded("x", "about", "command", rows, {}).markdown()
-    assert "| global-position |" in drawn
-    assert "nan" not in drawn
 
 
 def test_the_rate_of_the_style_modulation_is_that_of_the_model():

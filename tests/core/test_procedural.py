@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 import torch
 
-from experiments import realism
 from toolkit import datasets
 from toolkit.__main__ import main
 from toolkit.datasets import procedural, style100
@@ -167,26 +166,3 @@ def test_written_like_100style_and_read_back_equal(tmp_path, capsys, shared):
 
     bvh.save(take("Neutral", "FW")[0], tmp_path / "x.bvh")
     assert layout(tmp_path / "x.bvh") == layout(shared / "100style" / "Neutral_FW.bvh")
-
-
-def test_a_straight_walk_is_measured_right():
-    t = torch.arange(600) / 60
-    style = dataclasses.replace(STYLES["Neutral"], noise=0.0)
-    clip = procedural.generate(style, path=torch.stack((0 * t, 1.2 * t, 0 * t), 1))
-    found = realism.measure(clip)
-    cadence = found["cadence (steps/min)"]
-    assert found["speed (m/s)"] == pytest.approx(1.2, abs=0.02)
-    assert cadence == pytest.approx(108, abs=3)
-    assert found["step length (m)"] == pytest.approx(1.2 * 60 / cadence, abs=0.02)
-    assert 25 < found["hips bob per stride (mm)"] < 47
-    assert 0.40 < found["stance ratio of a toe"] < 0.48
-    assert sum(len(part) for part in realism.straight_parts(clip)) > 270
-
-
-def test_unknown_names_list_the_known_ones():
-    with pytest.raises(ValueError, match=r"'Moonwalk'; known are Neutral, .*Zombie"):
-        procedural.load(["Moonwalk"])
-    with pytest.raises(ValueError, match=r"'XX'; known are FW, BW"):
-        procedural.generate("Neutral", "XX")
-    with pytest.raises(ValueError, match="at least two frames, got 0"):
-        procedural.generate("Neutral", "FW", 0)

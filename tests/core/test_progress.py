@@ -50,12 +50,6 @@ def test_a_terminal_gets_one_line_that_changes(capsys, monkeypatch):
     assert text.count("\n") == 1
 
 
-def test_a_bar_that_is_not_shown_writes_nothing(capsys, clock):
-    for _ in progress_bar(range(3), desc="train", show=False):
-        clock[0] += 100.0
-    assert capsys.readouterr().err == ""
-
-
 def test_a_notebook_gets_the_bar_of_notebooks(capsys, monkeypatch):
     shell = SimpleNamespace(kernel=object())
     monkeypatch.setitem(sys.modules, "IPython", SimpleNamespace(get_ipython=lambda: shell))

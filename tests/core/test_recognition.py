@@ -73,13 +73,3 @@ def test_round_trip(recogniser, tmp_path):
     tk.styles.StyleBank(("a",), torch.zeros(1, 3)).save(path)
     with pytest.raises(ValueError, match="expected a recogniser in it, got bank"):
         recognition.Recogniser.load(path)
-
-
-def test_what_it_cannot_judge_is_refused(recogniser, known):
-    columns = len(recogniser.mean)
-    with pytest.raises(ValueError, match=rf"with at least 60 frames F, got \[59, {columns}\]"):
-        recogniser.probabilities(torch.zeros(59, columns))
-    with pytest.raises(ValueError, match=rf"\[\.\.\., F, {columns}\]"):
-        recogniser.probabilities(torch.zeros(60, 12))
-    with pytest.raises(ValueError, match="at least two styles, got ArmsAboveHead"):
-        recognition.train(tk.features.build(known[:1]))

@@ -19,19 +19,6 @@ def clip(request):
     return clip
 
 
-def test_a_toeless_rig_is_learnt_and_walks(clip, monkeypatch):
-    monkeypatch.setattr("toolkit.styles.fine_tuning.WALK", (1.0, 0.2))
-    sizes = tk.networks.Sizes(hidden=16, experts=2, gating=8, film_channels=4, film_kernel=5,
-                              film_dense=8, dropout=0.0)
-    config = tk.training.Config.quick(steps=5, refit=2, sizes=sizes)
-    run = tk.training.fit(tk.features.build(clip), config)
-    walked = tk.runtime.rollout(run.model, tk.runtime.straight(1.0, 0.5), run.bank["Neutral"])
-    assert walked.skeleton.names == clip.skeleton.names
-    assert walked.global_positions.isfinite().all()
-    made = tk.styles.fine_tune(run.model, [clip], name="New", bank=run.bank, steps=2)
-    assert "New" in made.bank
-
-
 def test_feet_are_planted_and_contacts_found(clip):
     skeleton = clip.skeleton
     toes = [skeleton.role(f"{side}_toe") for side in ("right", "left")]

@@ -89,7 +89,6 @@ def test_what_does_not_go_into_a_page_is_refused_in_one_line(small_run, tmp_path
     torch.nn.init.constant_(huge.experts.layers[1].bias, 1e5)
     for refused, given in {
         "unknown style 'Zombi'": (model, bank, {"styles": ["Zombi"]}),
-        "styles must be a list of one name or more": (model, bank, {"styles": []}),
         "got 'Zombie'": (model, bank, {"styles": "Zombie"}),
         "at most 65504 in float16, got 100000": (huge, bank, {"half": True})
     }.items():

@@ -4,11 +4,10 @@ import math
 
 import pytest
 import torch
-from course import comparison
 
 import toolkit as tk
 from experiments.__main__ import main
-from experiments.seven_models import failures, load, models, results
+from experiments.seven_models import load, models
 
 STYLES = "Neutral,PendulumHands,Zombie"
 MODELS = ("mann-film", "lpn-film")
@@ -36,17 +35,6 @@ def folder(data, tmp_path_factory):
         patch.setattr(models, "WARM_UP", 0.2)
         models.compare(data, SOURCE, PLAN, MODELS, 1, out)
     return out
-
-
-def test_the_shared_error_of_a_model_that_predicts_the_mean(data):
-    train, test = tk.training.split(data, 0.1, 0, tuple(data.styles))
-    scale = train.normalisers()["outputs"]
-    model = tk.networks.build("pfnn-resad", data.layout, 3, models.SIZES["tiny"])
-    model.normalise(tk.networks.normalisers(model.layout, train))
-    bank = tk.training.make_bank(model, train)
-    torch.nn.init.zeros_(model.experts.layers[-1].weight)
-    error = models.average(list(comparison.shared_error(model, bank, test, scale).values()))
-    assert error == pytest.approx(comparison.shared_baselines(data, 0.1, 0)["mean"], rel=1e-4)
 
 
 def test_everything_is_measured_and_stored(data, folder):
@@ -92,41 +80,3 @@ def test_other_settings_and_bad_names_are_refused_in_one_line(data, folder, caps
     ):
         assert main(["seven-models", *arguments]) == 2
         assert said in capsys.readouterr().err
-
-
-def test_stuck_hands_are_told_from_moving_ones():
-    def runs(hands):
-        style = {"hands": hands, "hands_data": 0.2, "together": 1 - hands}
-        still = {
-            "hands": 0.1,
-            "hands_data": 0.01,
-            "together": 0.0,
-        }  # moves in neither, and does not count
-        return {"runs": [{"styles": {"Swimming": style, "Monk": still}, "recognised": 1.0}] * 2}
-
-    table = {"models": {"pfnn-film": runs(0.3), "lpn-film": runs(0.9)}}
-    rows = failures.stuck_hands(table, "pfnn-film", "lpn-film")
-    row = rows["pfnn-film"]
-    assert row["range / data"] == pytest.approx([0.3, 0.3])
-    assert (row["styles below 0.5"], row["of styles"]) == ([1, 1], 1)
-    found = failures.result("x", "5.1.1 No global phase: claim", rows, "command", 2)
-    assert found.name == "x-no-global-phase"
-    assert "| lpn-film | 0.900 ± 0.000 | 0.100 ± 0.000 | 0 ± 0 | 1 | 1.000 ± 0.000 |" in (
-        found.markdown())
-
-
-def test_the_stored_result_of_a_comparison_has_floors_ceiling_and_every_model(folder):
-    table = models.read_json(folder / models.TABLE)
-    table["ceiling"] = table["models"]["lpn-film"]["runs"][0]
-    found = results.comparison("x", "about", "command", table)
-    assert [row["model"] for row in found.rows] == [
-        "floor: predicting the mean",
-        "floor: repeating the frame",
-        *MODELS,
-        "the published network",
-    ]
-    film = next(row for row in found.rows if row["model"] == "lpn-film")
-    assert film["shared"] == [found.rows[-1]["shared"]]
-    assert film["step_ms"][0] == pytest.approx(1000 * 60 * film["minutes"][0] / PLAN.steps)
-    assert found.settings["styles"] == 3
-    assert "nan" not in found.markdown()

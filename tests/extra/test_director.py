@@ -33,11 +33,11 @@ def test_shots_go_in_and_out(desk):
 
 
 @pytest.mark.parametrize(("changes", "said"), [
-    ({"version": 10**400}, "version"), ({"shots": "x"}, "must be a list"),
-    ({"shots": [{}] * 10**5}, "shots"), ({"apart": 1e300}, "apart"), ({"walls": [[0]]}, "walls"),
+    ({"version": 10**400}, "version"), ({"shots": [{}] * 10**5}, "shots"),
+    ({"apart": 1e300}, "apart"), ({"walls": [[0]]}, "walls"),
     ({"path": [[0, 0]]}, "path: two or more points are needed, got 1"),
     ({"path": [[[0] * 9] * 9] * 9}, "path"), ({"path": [[0, 0], [10**400, 0]]}, "path"),
-    ({"styles": "Nobody"}, "Nobody"), ({"name": "x" * 10**5}, "name"), ({"extra": 1}, "extra"),
+    ({"styles": "Nobody"}, "Nobody"), ({"name": "x" * 10**5}, "name"),
 ])
 def test_a_scene_that_is_not_valid_is_refused_in_one_line(desk, changes, said):
     """A message of any page; the kernel keeps the scene that it had."""
@@ -50,12 +50,6 @@ def test_a_scene_that_is_not_valid_is_refused_in_one_line(desk, changes, said):
     assert len(str(error.value)) < 300
     assert str(error.value).isprintable()
     assert desk.scene == before
-
-
-def test_an_unknown_style_is_refused_before_anything_is_written(tmp_path):
-    with pytest.raises(ValueError, match="Nobody"):
-        director.web(*tk.pretrained(), tmp_path / "desk.html", [Shot([(0, 0), (0, 1)], "Nobody")])
-    assert not list(tmp_path.iterdir())
 
 
 def test_another_model_is_refused_in_a_notebook_and_recorded_in_a_page(tmp_path):

@@ -64,8 +64,3 @@ def test_the_verb_prints(walk, capsys):
     said = capsys.readouterr().out
     assert "unit      0.0254 m (inch)" in said
     assert "toe       foot_l, ball_r (given/name)" in said
-
-
-def test_the_verb_refuses_a_picture_of_another_kind(walk, capsys):
-    assert main(["inspect", str(walk), "--picture", "walk.txt"]) == 2
-    assert "can write .png, not '.txt'" in capsys.readouterr().err

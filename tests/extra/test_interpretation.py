@@ -104,15 +104,11 @@ def test_the_up_axis_follows_from_the_body(tmp_path, up):
 
 def test_what_is_not_safe_is_said(tmp_path):
     clip, path = rigs.walk("LaFAN1", seconds=2.0), tmp_path / "walk.bvh"
-    lying = R.identity(*clip.rotations.shape[:2])
-    lying[:, 0] = R.from_euler(torch.tensor([-torch.pi / 2, 0.0, 0.0]), "XYZ")
     deep = clip.root_positions - torch.tensor([0.0, 3.0, 0.0])
     long = rigs.walk("LaFAN1", seconds=8.0)
     heights = torch.linspace(-0.15, 0.15, len(long))[:, None]
     rising = long.root_positions + heights * torch.tensor([0.0, 1.0, 0.0])
-    low = torch.tensor([0.0, 0.15, 0.0]).expand(len(clip), 3)
     for changed, doubt in (
-        (clip.replace(rotations=lying, root_positions=low), "stands along -?z or lies with y up"),
         (clip.replace(root_positions=deep), r"the feet stand at -2\.98 m instead of 0"),
         (clip.resample(1.0), "1 frames per second is no usual rate"),
         (long.replace(root_positions=rising), r"the floor moves by \+0\.30 m over the clip"),
@@ -217,18 +213,6 @@ def test_jumps_and_contacts_that_cannot_be_true_are_doubted(tmp_path, walk_clip)
     assert re.search(r"the body goes \d+ m, and its feet hardly move", slow)
     statue = walk_clip.replace(rotations=walk_clip.rotations[:1].expand_as(walk_clip.rotations))
     assert re.search(r"the body goes \d+ m, and no foot ever stands", doubts_of(statue, tmp_path))
-
-
-def test_a_second_person_under_one_top_joint_is_doubted(tmp_path, walk_clip):
-    old, count = walk_clip.skeleton, len(walk_clip.skeleton)
-    names = ["World", *old.names, *(f"Other{name}" for name in old.names)]
-    parents = [-1, *(p + 1 for p in old.parents)]
-    parents += [p + 1 + count if p >= 0 else 0 for p in old.parents]
-    offsets = torch.cat((torch.zeros(1, 3), old.offsets, old.offsets))
-    rotations = torch.cat((R.identity(len(walk_clip), 1), *[walk_clip.rotations] * 2), 1)
-    both = tk.Skeleton(names, parents, offsets)
-    clip = walk_clip.replace(skeleton=both, rotations=rotations)
-    assert "23 joints are beside the body, such as OtherHips" in doubts_of(clip, tmp_path)
 
 
 def test_a_walker_that_lies_or_stands_on_its_head_is_doubted(tmp_path, walk_clip):

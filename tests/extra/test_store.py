@@ -225,10 +225,6 @@ def test_what_cannot_work_is_refused_before_the_work(root, made, tmp_path, capsy
     for out in (root, tmp_path / "file"):
         with pytest.raises(ValueError, match="expected a store or an empty folder"):
             preprocess(root, out)
-    with pytest.raises(ValueError, match="procedural dataset is computed"):
-        tk.features.store.preprocess("procedural", None, tmp_path / "store")
-    with pytest.raises(ValueError, match="holds no store"):
-        tk.features.store.load(tmp_path / "empty")
     train = ["train", "--data", str(made), "--mirror", "--out", str(tmp_path / "run.safetensors")]
     assert main(train) == 2
     assert "a store has its own --root, --gaits, --mirror and --listed" in capsys.readouterr().err

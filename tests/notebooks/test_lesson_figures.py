@@ -1,11 +1,8 @@
 """Figures of the notebooks on styles and feet say what their numbers say."""
 
-import json
-import re
 
-import pytest
 import torch
-from course import folding, losses_page, plane, postures
+from course import folding, postures
 
 import toolkit as tk
 
@@ -40,16 +37,3 @@ def test_posture_of_a_pose_whose_numbers_are_known():
     assert torch.allclose(found["arm_spread"], (2 * hand[0]).expand(2), atol=1e-5)
     assert torch.allclose(found["step_length"], torch.tensor([0.0, 0.4]), atol=1e-5)
     assert float(found["bone_stretch"][0]) < 1e-6 < 0.005 < float(found["bone_stretch"][1])
-
-
-def test_losses_page_needs_every_set_and_numbers_them_as_its_switches_do():
-    with pytest.raises(ValueError, match="32 sets"):
-        losses_page.losses_page(plane.Toy(plane.SWITCHES[:2]))
-    page = losses_page.losses_page(plane.Toy(plane.SWITCHES))
-    data = json.loads(re.search(r"const d = (\{.*?\}), c = ", page, re.S).group(1))
-    assert len(data["made"]) == 32
-    # As in the page: a bit for each loss that is off, the first is the highest.
-    for row, names in enumerate(plane.SWITCHES):
-        assert row == sum(
-            1 << (4 - i) for i, name in enumerate(data["losses"]) if name not in names
-        )

@@ -72,18 +72,3 @@ def test_blender_waits_and_shows_the_newest_only(clip):
         blender.close()
 
     asyncio.run(scenario())
-
-
-def test_an_error_is_shown_as_text(clip):
-    def fails(weights):
-        raise ValueError(f"<img src=x>{weights}.bvh: cannot be read")
-
-    async def scenario():
-        blender = StyleBlender(bank("A", "B", "C"), lambda weights: clip.cut(0, 10))
-        blender._make_clip = fails
-        blender.triangle.weights = [0.0, 1.0, 0.0]
-        await until(lambda: "ValueError" in blender._status.value)
-        assert "<b>ValueError</b>: &lt;img src=x&gt;" in blender._status.value
-        blender.close()
-
-    asyncio.run(scenario())

@@ -63,15 +63,6 @@ def test_a_click_plays_the_style_and_a_drag_the_blend_once(explorer):
     assert explorer.still()[:4] == b"\x89PNG"
 
 
-def test_menus_triangle_and_weights_move_the_ring(explorer):
-    explorer.weights = {"Zombie": 1, "Crouch": 1}
-    assert explorer.map.place == pytest.approx([4.0, 2.25])
-    explorer.triangle.weights = [1.0, 0.0, 0.0]
-    assert explorer.map.place == pytest.approx([4.0, 0.0])
-    with pytest.raises(ValueError, match="unknown style"):
-        explorer.weights = {"Zombi": 1}
-
-
 def test_the_model_plays_and_outside_of_notebooks_it_is_the_map_alone(small_run):
     third = small_run.bank.vectors.mean(0, keepdim=True) + 0.1
     bank = StyleBank((*small_run.bank.names, "Third"), torch.cat((small_run.bank.vectors, third)))
