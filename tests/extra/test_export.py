@@ -149,6 +149,9 @@ def test_amass_poses_are_those_of_the_clip(tmp_path, zombie):
     assert tk.metrics.upright(again)
     wanted = tk.motion.retargeting.retarget(zombie, again.skeleton)
     assert abs(again.global_positions - wanted.global_positions).max() < 1e-3
+    # the legs of SMPL's mean body, so that its feet stand where these do
+    legs = [again.skeleton.role(f"left_{part}") for part in ("knee", "foot")]
+    assert float(again.skeleton.offsets[legs].norm(dim=-1).sum()) == pytest.approx(0.77, abs=0.01)
 
 
 def test_bvh_is_read_the_same_by_pybvh(tmp_path, zombie):

@@ -20,13 +20,14 @@ def write(clip: Clip, path: Path, *, title: str, source: Clip | None, progress: 
           character) -> None:
     """Write ``poses [F, 156]``, ``trans [F, 3]``, ``betas``, ``gender`` and ``mocap_framerate``.
 
-    The clip is put on the skeleton of an average person (`toolkit.extra.formats.npz.rest_pose`).
+    The clip is put on a skeleton with legs as long as those of SMPL's mean body (`npz.MEAN`).
     Metres and rotation vectors; z is up, as in AMASS. The body is there twice: AMASS's SMPL-X files
     name it ``root_orient [F, 3]`` and ``pose_body [F, 63]``, and the rate ``mocap_frame_rate``.
     ``trans`` is the pelvis less its place in SMPL's template, known to about a centimetre. That of
     SMPL-X's is 12 cm away along y, which is level here: a reader of SMPL-X moves the whole path.
     """
-    body = Skeleton(npz.BODY, npz.PARENTS[:22], npz.rest_pose(22).float(), roles=npz.ROLES)
+    offsets = npz.rest_pose(22, npz.MEAN).float()
+    body = Skeleton(npz.BODY, npz.PARENTS[:22], offsets, roles=npz.ROLES)
     made = retarget(clip if character is None else character.fitted(clip), body).to("cpu")
 
     # From y up to z up: only the root's rotation and place change

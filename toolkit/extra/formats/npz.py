@@ -26,14 +26,15 @@ ROLES = {"hips": "pelvis"} | {
 # A T-pose facing +z, left +x, as shares of the body's height. Lengths of thigh, shank, upper arm,
 # forearm and foot, and the shoulders' width are Drillis and Contini's (1966, in Winter 2009, figure
 # 4.1); the rest is ours. None are SMPL's.
-HEIGHT = 1.70
+# SMPL's mean body (betas 0) has shorter legs, of 0.77 m from hip to ankle.
+HEIGHT, MEAN = 1.70, 1.57
 _LEFT = {"hip": (0.05, -0.05, 0.0), "knee": (0.0, -0.245, 0.0), "ankle": (0.0, -0.246, 0.0),
          "foot": (0.0, -0.03, 0.08), "collar": (0.035, 0.06, 0.0), "shoulder": (0.07, 0.0, 0.0),
          "elbow": (0.186, 0.0, 0.0), "wrist": (0.146, 0.0, 0.0), "hand": (0.05, 0.0, 0.0)}
 _MIDDLE = {"pelvis": (0.0, 0.0, 0.0), "spine1": (0.0, 0.06, 0.0), "spine2": (0.0, 0.08, 0.0),
            "spine3": (0.0, 0.04, 0.0), "neck": (0.0, 0.12, 0.0), "head": (0.0, 0.05, 0.02)}
 # Metres from the origin of the template to its pelvis, roughly: of SMPL and SMPL-H, of SMPL-X
-ORIGIN, ORIGIN_X = (0.0, -0.23, 0.0), (0.0, -0.35, 0.0)
+ORIGIN, ORIGIN_X = (0.0, -0.23, 0.02), (0.0, -0.35, 0.01)
 
 # Names of arrays, the first that is there counts
 RATES = ("mocap_framerate", "mocap_frame_rate", "fps", "frame_rate", "framerate")
@@ -41,7 +42,7 @@ JOINTS = ("posed_joints", "joints", "positions", "new_joints", "joints3d", "moti
 VECTORS = ("new_joint_vecs", "vectors", "motion", "arr_0")
 PLACES = ("trans", "transl", "translation")
 NAMED = "parent_indices"  # in a file whose joints have names of their own
-WANTED = {"poses", "root_orient", "pose_body", "global_orient", "body_pose", "Jtr", NAMED,
+WANTED = {"poses", "root_orient", "pose_body", "global_orient", "body_pose", "Jtr", "betas", NAMED,
           *RATES, *JOINTS, *VECTORS, *PLACES}
 WIDTHS = (66, 72, 156, 165)  # of poses: SMPL-H's body, SMPL, SMPL-H and SMPL-X with hands
 COUNTS = {22: 22, 24: 24, 52: 22, 55: 22}  # joints of HumanML3D, SMPL, -H, -X: how many are read
@@ -137,7 +138,9 @@ def _smpl(arrays: Mapping[str, np.ndarray], poses: Tensor) -> Recording:
     count = 24 if poses.shape[1] == 24 else 22
     angle = poses[:, :count].norm(dim=-1)
     turns = R.from_axis_angle(poses[:, :count] / angle.clamp_min(1e-12)[..., None], angle)
-    frames, offsets, doubts = len(turns), rest_pose(count), []
+    mean = "betas" in arrays and not arrays["betas"].any()
+    frames, doubts = len(turns), []
+    offsets = rest_pose(count, MEAN if mean else HEIGHT)
     if float(angle.max()) > 4 * math.pi:
         doubts.append(f"a joint turns by {float(angle.max()):.3g} radians: "
                       "if the file has degrees, convert them")
@@ -170,14 +173,14 @@ def _smpl(arrays: Mapping[str, np.ndarray], poses: Tensor) -> Recording:
                      place, rate, unit=1.0, roles=dict(ROLES), doubts=tuple(doubts))
 
 
-def rest_pose(count: int) -> Tensor:
-    """Offsets ``[count, 3]`` of an average person, metres."""
+def rest_pose(count: int, height: float = HEIGHT) -> Tensor:
+    """Offsets ``[count, 3]`` of an average person of that height, metres."""
     rows = []
     for name in SMPL[:count]:
         side, _, part = name.partition("_")
         x, y, z = _LEFT[part] if part else _MIDDLE[name]
         rows.append((-x if side == "right" else x, y, z))
-    return HEIGHT * torch.tensor(rows, dtype=torch.float64)
+    return height * torch.tensor(rows, dtype=torch.float64)
 
 
 def _fitted(joints: Tensor, format_: str, fps: float, doubts: list[str], unit: float | None = None,
