@@ -179,8 +179,6 @@ def test_wrong_widths_clips_sizes_names_and_normalisers():
             model.predict(*(torch.zeros(2, width) for width in widths))
     with pytest.raises(ValueError, match=r"\[M, 240, 48\], got \[1, 100, 48\]"):
         model.style_vector(torch.zeros(1, 100, 48))
-    with pytest.raises(ValueError, match="no model named 'lpn' is registered; there is"):
-        networks.build("lpn", tree(4), 2)
     with pytest.raises(ValueError, match="hidden must be a whole number from 1, got 0"):
         Sizes(hidden=0)
     wrong = Normaliser(torch.zeros(3), torch.ones(3))
@@ -221,8 +219,6 @@ def test_bad_model_files_are_one_line(tmp_path):
     save_file(tensors, path, good)
     fails("expected the format 'toolkit 1'")
     good["format"] = "toolkit 1"
-    save_file({k: v for k, v in tensors.items() if not k.endswith("layers.1.weight")}, path, good)
-    fails("differs in tensor .*layers.1.weight")
     save_file(tensors, path, good | {"model": json.dumps(model.parts()[1] | {"name": "os.system"})})
     fails("it holds a model 'os.system', which is not registered")
     save_file(tensors, path, {"format": "toolkit 1", "bank": "[]"})

@@ -1,5 +1,5 @@
 """Answers to each exercise: the notebook's solution and another right one in several forms, and
-wrong ones, which are made from the right ones: an operator, a number or a method is exchanged.
+wrong ones, which are made from the right ones: an operator or a number is exchanged.
 """
 
 import ast
@@ -18,22 +18,13 @@ from answers import RIGHT, WRONG
 from test_notebooks import NOTEBOOKS, SOLUTION, prose, read
 
 import toolkit as tk
+from experiments import mutation
 
 #: Wrong answers to every exercise.
 TRIVIAL = (
     ..., 0, 1, "", {}, lambda *_: 0.0, lambda *_: torch.zeros(1), lambda first, *_: first
 )
 IN_CONTEXT = {"00.2", "10.1", "12.3"}  # exercises whose solution uses names of its notebook
-#: Exchanged names of functions and methods, operators and comparisons.
-NAMES = {"cos": "sin", "sin": "cos", "mean": "sum", "sum": "mean", "norm": "sum", "abs": "exp",
-         "min": "max", "max": "min", "round": "floor", "diff": "cumsum", "any": "all", "all": "any",
-         "square": "abs", "std": "var", "var": "std", "argsort": "sort", "acos": "asin",
-         "asin": "acos", "arccos": "arcsin", "median": "max", "angle": "abs", "sqrt": "square",
-         "degrees": "radians", "rad2deg": "deg2rad", "vstack": "hstack", "flip": "roll"}
-OPERATORS = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult,
-             ast.MatMult: ast.Mult, ast.Pow: ast.Mult, ast.Mod: ast.Mult, ast.BitAnd: ast.BitOr,
-             ast.Lt: ast.Gt, ast.Gt: ast.Lt, ast.LtE: ast.Gt, ast.GtE: ast.Lt, ast.And: ast.Or,
-             ast.Or: ast.And, ast.USub: ast.UAdd, ast.Not: ast.UAdd}
 
 
 def solutions(path: Path) -> dict[str, str]:
@@ -71,9 +62,7 @@ FORMS = (lambda x: x, lambda x: np.asarray(x)[()], lambda x: torch.as_tensor(x).
 
 
 def mutants(name: str) -> list[str]:
-    """Code of the solution and of the function of `RIGHT`, each operator, name or number of which
-    is exchanged in turn.
-    """
+    """Code of the solution and of the function of `RIGHT` with one fault each."""
     if name == "12.1":  # a grade with other limits is right too
         return []
     other = next(n for n in ast.parse(Path(answers.__file__).read_text(encoding="utf-8")).body
@@ -85,20 +74,11 @@ def mutants(name: str) -> list[str]:
 
 
 def exchanged(code: ast.AST) -> list[str]:
+    """The code with each of the faults that `experiments.mutation` plants."""
     made = []
-    for k, node in enumerate(ast.walk(code)):
+    for k in range(len(mutation.places(code))):
         changed = copy.deepcopy(code)
-        other = list(ast.walk(changed))[k]
-        if isinstance(getattr(node, "op", None), tuple(OPERATORS)):
-            other.op = OPERATORS[type(node.op)]()
-        elif isinstance(node, ast.Compare) and type(node.ops[0]) in OPERATORS:
-            other.ops[0] = OPERATORS[type(node.ops[0])]()
-        elif isinstance(node, ast.Attribute) and node.attr in NAMES:
-            other.attr = NAMES[node.attr]
-        elif isinstance(node, ast.Constant) and isinstance(node.value, int | float):
-            other.value = node.value + 1
-        else:
-            continue
+        mutation.mutate(mutation.places(changed)[k])
         made.append(ast.unparse(changed))
     return made
 
