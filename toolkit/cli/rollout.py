@@ -37,7 +37,7 @@ def rollout(
 ) -> None:
     """Walk straight ahead in a style, write the motion and print measurements."""
     saving.check(out, None, character)
-    figure = saving.read_figure(character)  # a file that is no character is refused now
+    figure = saving.figure_of(character)  # a file that is no character is refused now
     net, bank = published.either(model, parameters)
     blend = blend_of(style)
     speed = bank.speed(blend) if speed is None else speed

@@ -130,17 +130,15 @@ def execute(app: TyperGroup, arguments: list[str] | None = None) -> int:
 def _notices() -> Iterator[None]:
     """Inside, warnings are printed as lines, and which data is used."""
     logger, lines = logging.getLogger("toolkit.datasets"), logging.Handler(logging.INFO)
-    before, level = warnings.showwarning, logger.level
-    warnings.showwarning = lambda message, *_, **__: _print_error(f"warning: {message}")
     lines.emit = lambda record: _print_error(record.getMessage())
     logger.addHandler(lines)
     logger.setLevel(logging.INFO)
-    try:
-        yield
-    finally:
-        warnings.showwarning = before
-        logger.removeHandler(lines)
-        logger.setLevel(level)
+    with warnings.catch_warnings():
+        warnings.showwarning = lambda message, *_, **__: _print_error(f"warning: {message}")
+        try:
+            yield
+        finally:
+            logger.removeHandler(lines)
 
 
 def say(text: object, file: TextIO | None = None) -> None:

@@ -27,7 +27,7 @@ from toolkit.io import files
 from toolkit.io.load import read, readers
 from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip, trajectory
-from toolkit.motion.text import of_file, printable
+from toolkit.motion.text import printable
 
 TABLE = "labels.csv"
 COLUMNS = "file", "style", "gait", "unit", "up"
@@ -64,17 +64,17 @@ def labelled(folder: Path) -> list[OwnTake]:
     # words of the names, without numbers; those common to all files say nothing
     words = {}
     for path in found:
-        parts = re.split(r"[\W_]+", of_file(path.stem))
+        parts = re.split(r"[\W_]+", path.stem)
         words[path] = [word for word in parts if word and not word.isdigit()]
     common = set.intersection(*map(set, words.values())) if len(found) > 1 else set()
 
     takes = []
     for path in found:
-        above = [of_file(part) for part in path.relative_to(folder).parts[:-1]]
+        above = path.relative_to(folder).parts[:-1]
         gaits = [word for word in words[path] if word.lower() in GAITS]
         gait = above[1] if len(above) > 1 else (gaits or [""])[0]
         named = [word for word in words[path] if word.lower() not in GAITS]
-        named = [word for word in named if word not in common] or named or [of_file(path.stem)]
+        named = [word for word in named if word not in common] or named or [path.stem]
         style = above[0] if above else named[0]
         takes.append(OwnTake(path, style, GAITS.get(gait.lower(), gait)))
     return takes
@@ -85,7 +85,7 @@ def _table(folder: Path) -> dict[Path, tuple]:
     place, found = folder / TABLE, {}
     for number, row in files.table(place, COLUMNS[:2]):
         path, style, gait, unit, up = (row.get(column, "").strip() for column in COLUMNS)
-        path = folder / os.fsdecode(path.encode())
+        path = folder / path
         if not style:
             raise ValueError(f"{place}, line {number}: no style")
         if not path.is_file():

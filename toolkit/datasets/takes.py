@@ -11,27 +11,17 @@ from toolkit.datasets import home
 from toolkit.io import bvh, files
 from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip
-from toolkit.motion.text import checked
 
 Names = str | Iterable[str] | None
 
 
 @dataclass(frozen=True)
 class Take:
-    """One recorded file, with the style and the gait that its name gives.
-
-    ValueError if one cannot be shown.
-    """
+    """One recorded file, with the style and the gait that its name gives."""
 
     path: Path
     style: str
     gait: str
-
-    def __post_init__(self):
-        for what, name in (("a style", self.style), ("a gait", self.gait)):
-            if name:
-                checked((name,), f"{what} of {self.path}")
-
 
 @dataclass(frozen=True)
 class Source:

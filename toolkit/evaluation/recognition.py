@@ -135,7 +135,11 @@ def train(data: Features, seed: int = 0, steps: int = STEPS) -> Recogniser:
     schedule = torch.optim.lr_scheduler.CosineAnnealingLR(adam, steps)
     for _ in range(steps):
         labels = torch.randint(len(data.styles), (BATCH,), generator=draw)
-        drawn = [_window(data.clips[data.styles[i]], draw) for i in labels]
+        drawn = []
+        for clips in (data.clips[data.styles[i]] for i in labels):
+            which = int(torch.randint(len(clips), (), generator=draw))
+            where = int(torch.randint(features.CLIP_FRAMES - WINDOW + 1, (), generator=draw))
+            drawn.append(clips[which][where : where + WINDOW])
         windows = (torch.stack(drawn).to(model.mean) - model.mean) / model.std
         columns = (BATCH, 1, windows.shape[-1])
         # what models do to poses: an offset, noise; and no column may decide alone
@@ -153,12 +157,6 @@ def train(data: Features, seed: int = 0, steps: int = STEPS) -> Recogniser:
 def _joints(clip: Clip) -> Tensor:
     clip = clip.resample(trajectory.FPS)
     return features.joint_features(clip, root_frames(clip))
-
-
-def _window(clips: Tensor | features.Rows, draw: torch.Generator) -> Tensor:
-    which = int(torch.randint(len(clips), (), generator=draw))
-    where = int(torch.randint(features.CLIP_FRAMES - WINDOW + 1, (), generator=draw))
-    return clips[which][where : where + WINDOW]
 
 
 def _robust(normaliser: Normaliser) -> Normaliser:

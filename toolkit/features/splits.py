@@ -19,6 +19,7 @@ import math
 import warnings
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
+from itertools import groupby
 
 import numpy as np
 import torch
@@ -156,23 +157,15 @@ def style_clips(data: Features, style: str, held_out: Tensor) -> Tensor | Rows:
         return _picked(clips, whole)
     kept = []
     for i, length in enumerate(lengths):
-        first, stretch = _longest(free[i, :length].tolist())
-        if stretch >= STRETCH:
-            kept.append(clips[i][first + column % stretch])
+        runs = groupby(range(length), key=free[i].tolist().__getitem__)
+        longest = max((list(run) for yes, run in runs if yes), key=len, default=[])
+        if len(longest) >= STRETCH:
+            kept.append(clips[i][longest[0] + column % len(longest)])
     if kept:
         return torch.stack(kept)
     warnings.warn(f"style {style!r} is too short to hold out frames: its style clips share frames "
                   "with their windows", stacklevel=3)
     return clips
-
-
-def _longest(free: list[bool]) -> tuple[int, int]:
-    """First index and length of the longest run of True."""
-    best, run = (0, 0), 0
-    for i, yes in enumerate(free):
-        run = run + 1 if yes else 0
-        best = max(best, (i + 1 - run, run), key=lambda found: found[1])
-    return best
 
 
 def held_out(data: Features, share: float, seed: int, styles: tuple[str, ...]) -> dict[str, Tensor]:

@@ -21,15 +21,12 @@ NO_FILE = errno.EINVAL, "a device, pipe or socket is no file"
 @contextlib.contextmanager
 def opened(path: str | os.PathLike) -> Iterator[BinaryIO]:
     """Open a regular file for reading; OSError for a folder, device, pipe or socket."""
-    with open(path, "rb", opener=_without_waiting) as file:
+    # without waiting for another program to write into a pipe
+    flag = getattr(os, "O_NONBLOCK", 0)
+    with open(path, "rb", opener=lambda name, flags: os.open(name, flags | flag)) as file:
         if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
             raise OSError(*NO_FILE, os.fspath(path))
         yield file
-
-
-def _without_waiting(path: str, flags: int) -> int:
-    """Open as `open` does, but do not wait for another program to write into a pipe."""
-    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
 
 
 def read(path: str | os.PathLike, most: int = LARGEST) -> bytes:

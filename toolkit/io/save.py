@@ -56,9 +56,11 @@ def check(path: str | os.PathLike, among: Sequence[str] | None = None,
     return path
 
 
-def read_figure(path: str | os.PathLike | None) -> Any:
-    """The character of a file (`tk.Character`), for `save`; None of None."""
-    return None if path is None else registry.find("character.load").load(path)
+def figure_of(given: Any) -> Any:
+    """The character in a file (`tk.Character`); a character or None as it is."""
+    if isinstance(given, str | os.PathLike):
+        return registry.find("character.load").load(given)
+    return given
 
 
 def save(clip: Clip, path: str | os.PathLike, *, title: str = "", source: Clip | None = None,
@@ -78,7 +80,7 @@ def save(clip: Clip, path: str | os.PathLike, *, title: str = "", source: Clip |
     progress
         Show a bar while a film is drawn.
     character
-        A file with a skinned mesh, or what `read_figure` returns for it: its file with the motion
+        A file with a skinned mesh, or what `figure_of` returns for it: its file with the motion
         on it (.glb), its rig's motion (.bvh), or a page, picture or film in which it walks.
 
     Raises
@@ -87,8 +89,7 @@ def save(clip: Clip, path: str | os.PathLike, *, title: str = "", source: Clip |
         If the suffix is unknown, or the character cannot be read.
     """
     path = check(path)
-    if isinstance(character, str | os.PathLike):
-        character = read_figure(character)
+    character = figure_of(character)
     if path.suffix == ".bvh":
         bvh.save(clip if character is None else character.fitted(clip), path)
     else:

@@ -1,6 +1,5 @@
 """Names of joints, styles and files, which may come from anywhere: one line that can be shown."""
 
-import os
 import unicodedata
 from collections.abc import Iterable
 
@@ -12,11 +11,6 @@ def shows(text: str) -> bool:
     """Whether no character moves the cursor, ends the line, reorders text or cannot be encoded."""
     return text.isprintable() or not any(
         c in HIDDEN or unicodedata.category(c) in KINDS for c in text)
-
-
-def of_file(name: str) -> str:
-    """The name of a file as UTF-8 text, also where the locale reads it as something else."""
-    return os.fsencode(name).decode("utf-8", "surrogateescape")
 
 
 def printable(text: object) -> str:

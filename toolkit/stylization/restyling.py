@@ -53,7 +53,9 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
                          f"the clip has {len(source)}")
     if reference is not None:
         domain = domain or reference.style
-        code = model.code_of(_described(model, reference), domain)
+        other = prepare(reference, model.skeleton)
+        shown = windows(other)[0] if len(other) < FRAMES else describe(other)[0][None]
+        code = model.code_of(shown, domain)
     elif domain is not None:
         noise = torch.randn(1, model.sizes.latent, generator=generator(seed))
         code = model.code_from(noise, domain)
@@ -80,12 +82,6 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
     on = clip.root_positions - clip.root_positions[at]
     return result.replace(rotations=result.rotations[at],
                           root_positions=result.root_positions[at] + on)
-
-
-def _described(model: Stylizer, reference: Clip) -> Tensor:
-    """``x [1, 7, F, N]`` of a reference, of at least 64 frames."""
-    source = prepare(reference, model.skeleton)
-    return windows(source)[0] if len(source) < FRAMES else describe(source)[0][None]
 
 
 def calm(made: Tensor, x: Tensor) -> Tensor:

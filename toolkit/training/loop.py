@@ -133,7 +133,10 @@ def fit(data: Features, config: Config | None = None,
         if config.patience and state.stalled == 0:
             state.best = {name: value.clone() for name, value in model.state_dict().items()}
 
-    bar = _bar(config, total, state, progress and first)
+    form = None if total else "{l_bar}{bar}| {n:.0f}/{total:.0f} s, {remaining} left{postfix}"
+    bar = progress_bar(total=total or config.seconds, bar_format=form, desc="training",
+                       initial=state.step if total else state.elapsed, unit="step",
+                       show=progress and first)
     smooth, before = math.nan, time.process_time() - state.processor
     saver = Saver(save, config.save_every, state.elapsed, partial(_mean, fabric))
     with saver, bar:
@@ -144,8 +147,8 @@ def fit(data: Features, config: Config | None = None,
             # cosine decay of the rate; dropout masks that depend only on seed, step and process
             share = (1 + math.cos(math.pi * done)) / 2
             rate = config.rate * (config.final_rate + (1 - config.final_rate) * share)
-            stream = draws(state.step, fabric.global_rank)
-            with seeded(fabric.device, config.seed, DROPOUT, *stream):
+            rank = () if first else (fabric.global_rank,)  # rank 0 draws as a single process
+            with seeded(fabric.device, config.seed, DROPOUT, state.step, *rank):
                 state.losses = step(fabric, objective, adam, batches, config, state.step, rate)
             state.step += 1
             state.elapsed, state.processor = saver.elapsed, time.process_time() - before
@@ -175,21 +178,6 @@ def fit(data: Features, config: Config | None = None,
         for style, error in evaluate(model, shifted, test).items():
             held_out[style]["other"] = error["mse"]
     return Run(model.cpu(), bank, config, state.history, held_out, baselines(model.cpu(), test))
-
-
-def draws(step: int, rank: int) -> tuple[int, ...]:
-    """What the seed of a step's dropout depends on; rank 0 draws as a single process does."""
-    return (step, rank) if rank else (step,)
-
-
-def _bar(config: Config, total: int | None, state: State, show: bool):
-    """A progress bar of steps, or of seconds."""
-    if total:
-        return progress_bar(total=total, initial=state.step, desc="training", unit="step",
-                            show=show)
-    form = "{l_bar}{bar}| {n:.0f}/{total:.0f} s, {remaining} left{postfix}"
-    return progress_bar(total=config.seconds, initial=state.elapsed, desc="training", unit="s",
-                        show=show, bar_format=form)
 
 
 def restore(path: str | os.PathLike, model: Predictor, adam: torch.optim.Adam,

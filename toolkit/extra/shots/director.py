@@ -24,10 +24,11 @@ from toolkit.extra.shots import (
     reaching,
     scene,
 )
+from toolkit.io.save import figure_of
 from toolkit.motion import Clip
 from toolkit.view.frontend import CellWidget, static
 from toolkit.view.pages import live_page, page
-from toolkit.view.render.skin import Figure, figure_of
+from toolkit.view.render.skin import Figure
 
 START = (0, 0), (0.6, 2), (-0.6, 4), (0, 6)  # the path of the first shot
 

@@ -18,13 +18,14 @@ from toolkit import registry, runtime
 from toolkit.evaluation import findings
 from toolkit.features import CHANNELS, FRAME_KINDS, Layout
 from toolkit.io import bvh
+from toolkit.io.save import figure_of
 from toolkit.motion import Clip, Skeleton
 from toolkit.networks.film import EPSILON
 from toolkit.runtime import rules
 from toolkit.runtime.life import PERIOD
 from toolkit.view.pages import page
 from toolkit.view.render import mannequin as body
-from toolkit.view.render.skin import Figure, encoded, figure_of
+from toolkit.view.render.skin import Figure, encoded
 
 CORNERS = "Neutral", "Zombie", "Aeroplane"  # styles that differ, if the bank has them
 VERTICES = 900  # of each body in a crowd

@@ -13,11 +13,12 @@ from typing import Any
 import numpy as np
 
 from toolkit.io.files import write_whole
+from toolkit.io.save import figure_of
 from toolkit.motion import Clip, Skeleton, rotations as R
 from toolkit.view.frontend import embed, escape, static
 from toolkit.view.render import mannequin as body
 from toolkit.view.render.bodies import cast, steady_frames
-from toolkit.view.render.skin import Figure, encoded, figure_of, tree
+from toolkit.view.render.skin import Figure, encoded, tree
 
 UNIT = 32767  # int16 steps of a quaternion's component
 

@@ -13,6 +13,7 @@ from scipy.ndimage import gaussian_filter1d
 
 from toolkit.io.files import atomic_write
 from toolkit.io.progress import progress_bar
+from toolkit.io.save import figure_of
 from toolkit.motion import Clip
 from toolkit.view.render.bodies import (
     BACK,
@@ -25,7 +26,7 @@ from toolkit.view.render.bodies import (
     steady_frames,
 )
 from toolkit.view.render.picture import INK
-from toolkit.view.render.skin import Figure, figure_of
+from toolkit.view.render.skin import Figure
 from toolkit.view.render.stage import open_stage
 
 TILT = 0.21  # radians by which the camera looks down
@@ -76,7 +77,10 @@ def animate(
     ImportError
         If an ``.mp4`` is asked for and PyAV is missing.
     """
-    path = _checked(path)
+    path = Path(path)
+    if path.suffix not in SUFFIXES:
+        raise ValueError(f"an animation is a {', '.join(SUFFIXES[:-1])} or {SUFFIXES[-1]} file; "
+                         f"got {path.name}")
     figure = figure_of(character)
     clips, labels, contacts = cast(clips, labels, contacts, figure)
     shots = [_Follow(Body(clip, feet, figure), view)
@@ -161,14 +165,6 @@ def _sheet(cells: Sequence[Image.Image], labels: Sequence[str]) -> Image.Image:
         sheet.paste(cell, (x, y))
         text.text((x + 0.5 * font.size, y + 0.4 * font.size), label, INK, font)
     return sheet
-
-
-def _checked(path: str | os.PathLike) -> Path:
-    path = Path(path)
-    if path.suffix not in SUFFIXES:
-        raise ValueError(f"an animation is a {', '.join(SUFFIXES[:-1])} or {SUFFIXES[-1]} file; "
-                         f"got {path.name}")
-    return path
 
 
 def _write(frames: Iterable[Image.Image], path: Path, fps: float) -> Path:

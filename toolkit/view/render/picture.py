@@ -13,9 +13,10 @@ from matplotlib.figure import Figure
 from scipy.signal import hilbert
 
 from toolkit.io.files import atomic_write
+from toolkit.io.save import figure_of
 from toolkit.motion import Clip, root_frames, rotations as R
 from toolkit.view.render.bodies import BACK, Body, Camera, Pose, axes, cast, steady_frames
-from toolkit.view.render.skin import Figure as Character, figure_of
+from toolkit.view.render.skin import Figure as Character
 from toolkit.view.render.stage import open_stage
 
 PAPER, INK = "#f7f6f3", "#2b323b"

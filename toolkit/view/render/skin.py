@@ -4,14 +4,12 @@ Pictures are skinned here, pages in the browser (``scene/body.js``).
 """
 
 import base64
-import os
 from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
 from torch import Tensor
 
-from toolkit import registry
 from toolkit.motion import Clip, Skeleton, rotations as R
 
 SLOTS = 4  # joints that a vertex may follow
@@ -31,13 +29,6 @@ class Figure(Protocol):
 
     def packed(self, follow: dict | None = None) -> dict:
         """The mesh as the browser's scene takes it."""
-
-
-def figure_of(given: str | os.PathLike | Figure | None) -> Figure | None:
-    """The character in a file; a character or None as it is."""
-    if isinstance(given, str | os.PathLike):
-        return registry.find("character.load").load(given)
-    return given
 
 
 @dataclass(frozen=True, eq=False)

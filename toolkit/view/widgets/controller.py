@@ -17,13 +17,14 @@ import torch
 import traitlets
 
 from toolkit import runtime
+from toolkit.io.save import figure_of
 from toolkit.motion import Clip, trajectory
 from toolkit.runtime import FPS, Command
 from toolkit.runtime.life import alive
 from toolkit.view.frontend import CellWidget, running_loop, static
 from toolkit.view.pages.live_page import EASE, RUN, TURN, example, gate, ordered
 from toolkit.view.pages.page import skeleton_data
-from toolkit.view.render.skin import Figure, figure_of
+from toolkit.view.render.skin import Figure
 from toolkit.view.widgets.corners import Corners, corners
 
 KEPT = 600.0  # seconds of a recording, 16 MB

@@ -7,11 +7,12 @@ import anywidget
 import traitlets
 from matplotlib.figure import Figure
 
+from toolkit.io.save import figure_of
 from toolkit.motion import Clip
 from toolkit.view.frontend import CellWidget, in_notebook, static
 from toolkit.view.pages.page import pack
 from toolkit.view.render.picture import strip
-from toolkit.view.render.skin import Figure as Character, figure_of
+from toolkit.view.render.skin import Figure as Character
 
 
 def play(clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, contacts=None,
