@@ -9,9 +9,12 @@ imported when it is first used. Packages of your own can register names as well:
 Then ``toolkit.phases.extract(clip, source="hips")`` uses the function.
 """
 
-from collections.abc import Callable
+import pkgutil
+from collections.abc import Callable, Iterable
 from importlib import import_module
 from typing import Any
+
+import lazy_loader
 
 _found: dict[str, Any] = {}  # by name: "module:attribute", or the part itself
 
@@ -67,3 +70,12 @@ def attributes(package: str, otherwise: Callable[[str], Any] | None = None) -> C
         raise AttributeError(f"module {package!r} has no attribute {name!r}")
 
     return attribute
+
+
+def modules(package: str, path: Iterable[str],
+            names: dict[str, list[str]] | None = None) -> tuple[Callable, Callable, list[str]]:
+    """``__getattr__``, ``__dir__`` and ``__all__`` of a package that imports on first use.
+
+    It has the modules in its folder, and ``names`` by the module that defines them.
+    """
+    return lazy_loader.attach(package, [found.name for found in pkgutil.iter_modules(path)], names)

@@ -7,13 +7,11 @@ where ``python -m toolkit data fetch`` puts it.
 import difflib
 import inspect
 import os
-import pkgutil
 from collections import Counter
 from collections.abc import Callable
 from types import ModuleType
 
-import lazy_loader
-
+from toolkit import registry
 from toolkit.datasets import bandai, folder, home, procedural, style100
 from toolkit.datasets.blocks import split
 from toolkit.datasets.takes import Names, Take
@@ -21,8 +19,7 @@ from toolkit.motion import Clip
 
 __all__ = ["DATASETS", "Take", "available", "bandai", "contents", "folder", "home", "load",
            "may_mirror", "procedural", "split", "style100", "where"]
-_names = [module.name for module in pkgutil.iter_modules(__path__)]
-__getattr__ = lazy_loader.attach(__name__, _names)[0]
+__getattr__ = registry.modules(__name__, __path__)[0]
 
 DATASETS = {"procedural": procedural, "100style": style100, "bandai": bandai, "folder": folder}
 

@@ -2,12 +2,7 @@
 defects of finished motion.
 """
 
-import pkgutil
+from toolkit import registry
 
-import lazy_loader
-
-__getattr__, __dir__, __all__ = lazy_loader.attach(
-    __name__,
-    [module.name for module in pkgutil.iter_modules(__path__)],
-    {"table": ["MEASURES", "report"], "findings": ["defects", "Finding"]},
-)
+__getattr__, __dir__, __all__ = registry.modules(__name__, __path__, {
+    "table": ["MEASURES", "report"], "findings": ["defects", "Finding"]})

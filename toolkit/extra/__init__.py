@@ -12,14 +12,9 @@
 | `engines` | glTF, OpenUSD, AMASS and ONNX files |
 """
 
-import pkgutil
+from toolkit.registry import modules, register
 
-import lazy_loader
-
-from toolkit.registry import register
-
-__getattr__, __dir__, __all__ = lazy_loader.attach(
-    __name__, [module.name for module in pkgutil.iter_modules(__path__)])
+__getattr__, __dir__, __all__ = modules(__name__, __path__)
 
 _HERE = "toolkit.extra"
 for _name, _part in {

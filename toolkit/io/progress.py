@@ -1,30 +1,18 @@
 """Progress of long work: a bar in a terminal or a notebook; in a file, a line now and then."""
 
+import io
 import sys
-from typing import Any, TextIO
+from typing import Any
 
 from tqdm import tqdm
 
 FIRST, SHARE, LAST = 10.0, 0.5, 1800.0  # first line, s; pause / time so far; longest pause, s
 
 
-class _Log:
-    """A stream that gets each state of a bar as a line of its own."""
-
-    def __init__(self, stream: TextIO):
-        self.stream, self.last = stream, ""
-
-    def write(self, text: str) -> None:
-        if text.strip() not in ("", self.last):
-            self.last = text.strip()
-            self.stream.write(f"{self.last}\n")
-
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self.stream, name)
-
-
 class _Lines(tqdm):
     """A bar that is drawn ever more seldom, as a line each time: 10 in ten minutes, 60 in a day."""
+
+    last = ""
 
     def __iter__(self):
         with self:
@@ -32,9 +20,11 @@ class _Lines(tqdm):
                 yield item
                 self.update()
 
-    def display(self, *arguments, **options) -> None:
+    def display(self, *_, **__) -> None:
         self.mininterval = min(max(FIRST, SHARE * self.format_dict["elapsed"]), LAST)
-        super().display(*arguments, **options)
+        if (line := str(self)) != self.last:
+            self.last = line
+            print(line, file=sys.stderr)
 
 
 def progress_bar(iterable: Any = None, *, show: bool = True, **options: Any) -> tqdm:
@@ -46,5 +36,5 @@ def progress_bar(iterable: Any = None, *, show: bool = True, **options: Any) -> 
         from tqdm.auto import tqdm as notebook
 
         return notebook(iterable, **options)
-    return _Lines(iterable, file=_Log(sys.stderr), delay=FIRST, mininterval=FIRST, maxinterval=0,
+    return _Lines(iterable, file=io.StringIO(), delay=FIRST, mininterval=FIRST, maxinterval=0,
                   miniters=1, **options)

@@ -1,9 +1,5 @@
 """Pictures of motion: the mannequin, pyvista, strips of poses, films."""
 
-import pkgutil
+from toolkit import registry
 
-import lazy_loader
-
-__getattr__, __dir__, __all__ = lazy_loader.attach(
-    __name__, [module.name for module in pkgutil.iter_modules(__path__)]
-)
+__getattr__, __dir__, __all__ = registry.modules(__name__, __path__)
