@@ -196,7 +196,7 @@ def test_names_that_are_roles_of_other_joints_change_nothing(walk_clip):
     ("names", "parents", "match"),
     [
         (("a", "b"), (-1,), "2 joint names need 2 parents"),
-        (("a", "a"), (-1, 0), "joint names repeat"),
+        (("a", "a"), (-1, 0), "a joint is named twice: a"),
         (("a", "b", "c"), (-1, 2, 0), "every parent before its children"),
         (("a", "b"), (0, 0), "root must come first"),
     ],

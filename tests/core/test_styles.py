@@ -47,7 +47,7 @@ def test_blends_are_checked(weights, said):
 def test_banks_that_are_none_are_refused():
     for names, vectors, said in (
         (("a", "b"), torch.zeros(3, 4), "2 styles need vectors"),
-        (("a", "a"), torch.zeros(2, 4), "repeat: a"),
+        (("a", "a"), torch.zeros(2, 4), "a style is named twice: a"),
         (("a", "b"), torch.tensor([[0.0], [math.nan]]), "vector of b is not finite"),
     ):
         with pytest.raises(ValueError, match=said):

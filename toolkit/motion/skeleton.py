@@ -1,6 +1,5 @@
 """Skeleton: joints in a tree, their roles and counterparts; forward kinematics."""
 
-from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -54,8 +53,6 @@ class Skeleton:
                              f"{len(self.parents)} parents and offsets {list(self.offsets.shape)}")
         if not offsets.is_meta and not bool((offsets[1:].abs() <= LONGEST).all()):
             raise ValueError(f"offsets must be finite, and at most {LONGEST:g} m")
-        if repeated := sorted(name for name, times in Counter(self.names).items() if times > 1):
-            raise ValueError(f"joint names repeat: {repeated}")
         if self.parents[0] != -1 or any(not 0 <= p < j for j, p in enumerate(self.parents[1:], 1)):
             raise ValueError("the root must come first with parent -1, and every parent before its "
                              "children")

@@ -1,6 +1,7 @@
 """Names of joints, styles and files, which may come from anywhere: one line that can be shown."""
 
 import unicodedata
+from collections import Counter
 from collections.abc import Iterable
 
 HIDDEN = frozenset("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")  # they reorder text
@@ -19,7 +20,7 @@ def printable(text: object) -> str:
 
 
 def checked(names: Iterable[str], what: str) -> tuple[str, ...]:
-    """The names; ValueError if one is no text, empty or not to be shown.
+    """The names; ValueError if one is no text, empty, not to be shown, or comes twice.
 
     ``what`` they name begins the message.
     """
@@ -32,4 +33,6 @@ def checked(names: Iterable[str], what: str) -> tuple[str, ...]:
         if not shows(name):
             raise ValueError(f"the name of {what} has characters that cannot be printed: "
                              f"{repr(name)[1:-1]:.60}")
+    if twice := sorted(name for name, times in Counter(names).items() if times > 1):
+        raise ValueError(f"{what} is named twice: {', '.join(twice)}")
     return names

@@ -3,7 +3,6 @@
 import math
 import os
 import warnings
-from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
@@ -47,8 +46,6 @@ class StyleBank(Mapping[str, Tensor]):
         object.__setattr__(self, "shakes", torch.as_tensor(shakes, dtype=torch.bool))
         if self.shakes.shape != (count,):
             raise ValueError(f"{count} styles need marks [{count}], got {list(self.shakes.shape)}")
-        if repeated := sorted(name for name, times in Counter(self.names).items() if times > 1):
-            raise ValueError(f"style names repeat: {', '.join(repeated)}")
         finite = zip(self.names, self.vectors.isfinite().all(-1).tolist(), strict=True)
         if bad := [name for name, known in finite if not known]:
             raise ValueError(f"the style vector of {', '.join(bad)} is not finite")

@@ -171,11 +171,9 @@ class Stylizer(nn.Module):
     def __init__(self, graph: SkeletonGraph, domains: tuple[str, ...], sizes: Sizes,
                  statistics: Statistics):
         super().__init__()
-        domains = checked(domains, "a domain")
-        if len(set(domains)) != len(domains) or not domains:
-            raise ValueError("domains need one or more different names, "
-                             f"got {', '.join(domains) or 'none'}")
-        self.graph, self.domains = graph, domains
+        if not domains:
+            raise ValueError("a stylizer needs one domain or more, got none")
+        self.graph, self.domains = graph, checked(domains, "a domain")
         self.sizes, self.statistics = sizes, statistics
         self.generator = Generator(graph, sizes)
         self.encoder = StyleEncoder(graph, sizes, len(domains))
