@@ -62,11 +62,6 @@ def _curve(t: np.ndarray, times: Sequence[np.ndarray], values: ArrayLike,
     return spline(np.clip(t, times[0, 0], times[-1, -1] if stop is None else stop))
 
 
-def _local(track: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Cosine and sine of the facing of a path ``[F, 3]``."""
-    return np.cos(track[:, 2]), np.sin(track[:, 2])
-
-
 class Plan:
     """Pace, stride phase (``clock``) and footsteps along a path of F frames."""
 
@@ -76,7 +71,7 @@ class Plan:
         self.t = np.arange(len(root), dtype=np.float64)
 
         # velocity in the character's frame, m/s
-        c, s = _local(root)
+        c, s = np.cos(root[:, 2]), np.sin(root[:, 2])
         step = np.gradient(root, axis=0) * FPS
         self.sideways = step[:, 0] * c - step[:, 1] * s
         self.ahead = step[:, 0] * s + step[:, 1] * c
@@ -277,7 +272,7 @@ class Foot:
         lever = FOOT[2] - HEEL
         back = lever * (np.cos(up) - 1)
         self.yaw = yaw = place[:, 2]
-        c, s = _local(plan.root)
+        c, s = np.cos(plan.root[:, 2]), np.sin(plan.root[:, 2])
         x = place[:, 0] + out * c + back * np.sin(yaw)
         z = place[:, 1] - out * s + back * np.cos(yaw)
         self.toe = np.stack((x, TOE + rise + lever * np.sin(up), z), 1)

@@ -8,13 +8,12 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-import scipy
 from torch import Tensor
 
 from toolkit.evaluation.metrics import bodies, pairs, quality, sets, steps
 from toolkit.evaluation.recognition import Recogniser
 from toolkit.motion import Clip, Skeleton
-from toolkit.motion.tensors import as_tensor, through_numpy
+from toolkit.motion.tensors import as_tensor, at_rate
 
 #: Measures of a clip; of a clip and the real clip with the same frames; of a recogniser and clips;
 #: of these and real clips.
@@ -82,12 +81,9 @@ class Joints:
         return len(self) / self.fps
 
     def resample(self, fps: float) -> "Joints":
-        """The same motion at another rate, by cubic splines."""
-        old, new = (np.arange(n) / rate for n, rate in (
-            (len(self), self.fps), (int((len(self) - 1) / self.fps * fps + 1e-6) + 1, fps)))
-        at = through_numpy(lambda v: scipy.interpolate.CubicSpline(old, v)(new),
-                           self.global_positions)
-        return replace(self, global_positions=at, fps=fps)
+        """The same motion at another rate."""
+        positions = at_rate(self.global_positions, self.fps, fps)
+        return replace(self, global_positions=positions, fps=fps)
 
 
 @dataclass(frozen=True)

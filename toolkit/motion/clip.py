@@ -6,14 +6,12 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-import numpy as np
-import scipy
 import torch
 from torch import Tensor
 
 from toolkit.motion import rotations as R
 from toolkit.motion.skeleton import Skeleton, forward_kinematics, local_rotations
-from toolkit.motion.tensors import as_tensor, summary, through_numpy
+from toolkit.motion.tensors import as_tensor, at_rate, summary
 from toolkit.motion.text import checked, printable
 
 FASTEST = 10_000  # frames per second: a window of a tenth of a second then has a thousand frames
@@ -119,19 +117,14 @@ class Clip:
         return self.replace(rotations=q, root_positions=self.root_positions.to(q))
 
     def resample(self, fps: float) -> "Clip":
-        """The same motion at another rate, by cubic splines, which keep velocities continuous."""
+        """The same motion at another rate, see `toolkit.motion.tensors.at_rate`."""
         if not (fps > 0 and math.isfinite(fps)):
             raise ValueError(f"{self.name}: cannot resample to {fps} frames per second")
         if fps == self.fps or len(self) < 2:
             return self.replace(fps=fps)
-        old = np.arange(len(self)) / self.fps
-        new = np.arange(math.floor(old[-1] * fps + 1e-6) + 1) / fps
-
-        def at_new_times(values: Tensor) -> Tensor:
-            return through_numpy(lambda v: scipy.interpolate.CubicSpline(old, v)(new), values)
-
-        return self.replace(rotations=R.normalize(at_new_times(R.unroll(self.rotations))),
-                            root_positions=at_new_times(self.root_positions), fps=fps)
+        rotations = R.normalize(at_rate(R.unroll(self.rotations), self.fps, fps))
+        return self.replace(rotations=rotations, fps=fps,
+                            root_positions=at_rate(self.root_positions, self.fps, fps))
 
     def without_ends(self) -> "Clip":
         """The same motion without End Sites; a role that an End Site had goes to its parent."""

@@ -1,11 +1,13 @@
 """Conversion of numbers to tensors, array functions on tensors, short representations."""
 
 import dataclasses
+import math
 import textwrap
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 import numpy as np
+import scipy
 import torch
 from torch import Tensor, nn
 
@@ -45,6 +47,13 @@ def through_numpy(function: Callable[[np.ndarray], np.ndarray], values: Tensor) 
     """Result of a function of float64 arrays, as a tensor like ``values``, without gradient."""
     made = function(values.double().cpu().numpy())
     return torch.from_numpy(np.ascontiguousarray(made)).to(values)
+
+
+def at_rate(values: Tensor, old: float, new: float) -> Tensor:
+    """Values ``[F, ...]`` at another rate, by cubic splines, which keep velocities continuous."""
+    times = np.arange(len(values)) / old
+    wanted = np.arange(math.floor(times[-1] * new + 1e-6) + 1) / new
+    return through_numpy(lambda v: scipy.interpolate.CubicSpline(times, v)(wanted), values)
 
 
 def summary(thing: Any, facts: Mapping[str, Any] | None = None) -> str:
