@@ -74,8 +74,12 @@ RIGHT["03b.1"] = [
 RIGHT["03b.2"] = [
     lambda x, s: torch.stack([((b - a) / s).pow(2) for a, b in zip(x[:-1], x[1:])]).mean(),
 ]
-RIGHT["03b.3"] = [LEG @ torch.tensor([[0., -1, 0], [1, 0, 0], [0, 0, 1]])]
-WRONG["03b.3"] = [LEG + .01, 2 * LEG, LEG[:2]]
+UP = torch.tensor([0.0, 1.0, 0.0])  # the hip
+RIGHT["03b.3"] = [
+    (LEG - UP) @ torch.tensor([[0., -1, 0], [1, 0, 0], [0, 0, 1]]) + UP,
+    [(0, 1, 0), (0, 0.55, 0.1), (0, 1, 0.2)],  # the lower leg folded up
+]
+WRONG["03b.3"] = [LEG + 1, LEG + .01, 2 * LEG - UP, LEG[:2]]
 RIGHT["04.1"] = [
     dict(Aeroplane=.4, Zombie=.25, Neutral=.35), dict(Neutral=.34, Zombie=.27, Aeroplane=.39),
     dict(Neutral=.35, Zombie=.25, Aeroplane=.4), dict(Neutral=.36, Zombie=.25, Aeroplane=.39),

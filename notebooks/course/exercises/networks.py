@@ -151,11 +151,12 @@ EXERCISES = {
     "03b.3": Exercise(
         shows(
             ("give a pose of three joints [3, 3]", lambda pose: _off(pose).shape == (3, 3)),
+            ("the hip has moved", lambda pose: float(_off(pose)[0].norm()) < 1e-3),
             ("a bone has another length", lambda pose: _leg_error(pose) < 1e-3),
             ("the squared error is small", lambda pose: _off(pose).square().mean() > 0.05),
         ),
-        "what can you do to a whole leg that leaves its bones as they are?",
-        "move the leg as a whole by a metre, or turn it about the hip.",
+        "what can a leg do that leaves its hip and its bones as they are?",
+        "turn the leg about the hip, or the ankle about the knee.",
     ),
     "07.1": Exercise(
         equals(60.0, {
