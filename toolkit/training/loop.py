@@ -223,8 +223,9 @@ def step(fabric: "Fabric | Alone", objective: torch.nn.Module, adam: torch.optim
          batches: Minibatches, config: Config, number: int, rate: float) -> dict[str, float]:
     """Gradient descent on minibatch ``number`` at learning rate ``rate``; its losses.
 
-    These are the loss, the mean squared error and the bone-length error. `distributed.start` gives
-    ``fabric``, which has set up the ``objective``; ValueError if the loss is not finite.
+    These are the loss, the mean squared error and the bone-length error (equation 5), of
+    `distributed.Objective`. `distributed.start` gives ``fabric``, which has set up the
+    ``objective``; ValueError if the loss is not finite.
     """
     model = objective.model
     x, p, z, y = observed(model, *(rows.to(fabric.device) for rows in batches[number]))
