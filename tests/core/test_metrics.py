@@ -61,6 +61,11 @@ def walks():
     return real.replace(root_positions=real.root_positions + moved).moved(turn=0.4), real
 
 
+def test_an_unknown_measure_is_named_beside_the_known_ones():
+    with pytest.raises(KeyError, match="unknown measure 'skates'; known: skate"):
+        MEASURES["skates"]
+
+
 def test_skate_of_a_sliding_figure_computed_by_hand():
     skates = [table.CLIP[f"skate-{paper}"] for paper in ("smoodi", "kimodo", "camdm", "rsmt")]
     assert [f(stick()) for f in skates] == [0, 0, 0, 0]

@@ -47,7 +47,16 @@ SET: dict[str, Callable[..., float]] = {
     "multimodality": sets.multimodality,
     "recognition-top1": sets.recognition,
 }
-MEASURES = CLIP | PAIR | SET
+
+
+class _Measures(dict[str, Callable[..., float]]):
+    """Measures by name; the error of an unknown one lists the others."""
+
+    def __missing__(self, name: str):
+        raise KeyError(f"unknown measure {name!r}; known: {', '.join(self)}")
+
+
+MEASURES = _Measures(CLIP | PAIR | SET)
 POSITIONS = "global-position", "trajectory-error", "stop"  # those that need no rotations
 UNITS = {"jerk": "m/s3", "seconds": "s"}
 UNITS |= dict.fromkeys(("skate-rsmt", "skate", "speed", "stop"), "m/s")
