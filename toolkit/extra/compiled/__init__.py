@@ -18,7 +18,7 @@ from toolkit.runtime import rules
 from toolkit.runtime.frame import CharacterState, pose, start, step
 from toolkit.runtime.steering import Command
 
-KERNELS = (frame.steer, network.predict, frame.after_network, ik.pose)
+KERNELS = (frame.steer, network.gate, network.modulate, frame.after_network, ik.pose)
 READ, MADE = 120, 1500  # least frames for which kernels are read, and are compiled, by `quick`
 Pair = tuple[float, float]
 Ask = Callable[[int, Pair], tuple[Sequence[float], Sequence[float], Tensor]]  # see `roll`
@@ -145,12 +145,14 @@ class CompiledModel:
         tensor = getattr(state, name).detach()
         if name == "style" and not tensor.stride(0):  # one style for all: not copied for each
             tensor = tensor[:1]
-        count, shape = len(state.history), self._shapes[name]
+        # shapes are numpy's, as asking torch for those of 15 parts takes as long as a kernel
+        array = np.ascontiguousarray(tensor.numpy(), np.float32)
+        count, shape = state.history.shape[0], self._shapes[name]
         counts = (1, count) if name == "style" else (count,)
-        if tensor.shape[1:] != shape or len(tensor) not in counts:
+        if array.shape[1:] != shape or len(array) not in counts:
             raise ValueError(f"{name} needs {' x '.join(map(str, shape))} columns and a row for "
-                             f"each of {count} characters, got shape {list(tensor.shape)}")
-        return np.ascontiguousarray(tensor.numpy(), np.float32)
+                             f"each of {count} characters, got shape {list(array.shape)}")
+        return array
 
     @staticmethod
     def _misses() -> int:
