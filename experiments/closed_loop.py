@@ -89,8 +89,7 @@ def run(
     tracks: Annotated[str, typer.Option(help="Comma-separated.")] = ",".join(TRACKS),
     styles: Annotated[str | None, typer.Option(help="Comma-separated; default: all.")] = None,
     takes: Annotated[list[Path] | None, typer.Option(
-        help="BVH files of straight walks, measured in the same way, and walked at their speed "
-             "by the style of their name.")] = None,
+        help="BVH files of straight walks, measured in the same way.")] = None,
     start: Annotated[int, typer.Option(help="First frame of the takes, at 60 Hz.")] = 0,
     store: Store = False,
 ) -> None:
@@ -101,7 +100,7 @@ def run(
     kind = "published" if parameters else "embedded" if model is None else model.stem
     fast = runtime.compile(net) if net.name == "lpn-film" else net
     for take in takes or ():
-        _beside(fast, bank, bvh.load(take).resample(FPS).cut(start))
+        _print(f"take {take.stem}", of_clip(bvh.load(take).resample(FPS).cut(start)))
     names = list(bank.names) if styles is None else styles.split(",")
     bank = bank.select([name for name in names if not parameters or name != MISBEHAVES])
     found = {}
@@ -228,19 +227,10 @@ def slow_motion(clip: Clip) -> float:
     return 100 * float((means - means.mean(0)).square().sum(-1).mean(0).sqrt().mean())
 
 
-def _beside(net, bank: StyleBank, clip: Clip) -> None:
-    """Print the measures of a take, and of its style at the take's speed."""
-    rows = {f"take {clip.name}": of_clip(clip)}
-    names = [part for part in Path(clip.name).stem.split("_") if part in bank]
-    for name in names[:1]:
-        speed = metrics.speed(clip)
-        one = bank.select([name])
-        (walk,) = walked(net, one.vectors, "1 m/s", torch.tensor([[speed]]))
-        rows[f"{name} at {speed:.2f} m/s"] = _measures(net, walk, "1 m/s", speed)
-    keys = list(next(iter(rows.values())))
-    print(f"{'':<24}" + "".join(f"{MEASURES[key][0]:>34}" for key in keys))
-    for what, row in rows.items():
-        print(f"{what:<24}" + _cells({key: row[key] for key in keys}), flush=True)
+def _print(what: str, row: dict[str, float]) -> None:
+    """A row under the titles of its measures."""
+    print(f"\n{'':<24}" + "".join(f"{MEASURES[key][0]:>34}" for key in row))
+    print(f"{what:<24}" + _cells(row), flush=True)
 
 
 def _cells(row: dict[str, float]) -> str:

@@ -223,9 +223,7 @@ def run(
             {"files": len(rows), **counts, "wrong": len(silent), "rigs": len(people),
              "mean": float(means.max()), "median": float(means.median()),
              "worst": float(worst.max())}])
-    print(f"{found.about}\n{found.markdown()}")
-    if store:
-        found.save()
+    found.show(store)
 
 
 def carried(path: Path) -> tuple[float, float]:

@@ -48,9 +48,7 @@ def run(seconds: Annotated[float, typer.Option(help="Length of each procedural c
     found = Result("matching", f"{len(STYLES)} procedural styles, {data.n_frames:,} frames, walks "
                    "straight ahead and along a figure of eight", "python -m experiments matching "
                    "--store", COLUMNS, rows, {"styles": len(STYLES), "frames": data.n_frames})
-    print(f"{found.about}\n{found.markdown()}")
-    if store:
-        print(f"wrote {found.save()}")
+    found.show(store)
 
 
 def megabytes(model) -> float:

@@ -17,7 +17,6 @@ from toolkit.datasets import home, procedural
 from toolkit.motion.contacts import FEET
 
 STAGGERING = ("Neutral", "Zombie")  # also measured with the random steps of the Drunk
-FREQUENCY_LIMIT, F1_LIMIT = 0.03, 0.95
 CASES = ("cyclic", "asymmetric", "no global phase", "one leg never touches", "stochastic")
 PLANNED = ("Neutral", "Old", "Zombie", "Drunk")  # styles that are labelled by their true contacts
 #: Columns of the stored results that are no errors.
@@ -27,11 +26,10 @@ TITLES = {"case": ["styles"], "styles": ["of them", 0], "limbs": ["limbs"], "tak
 
 @dataclass(frozen=True)
 class Part:
-    """Limbs by their columns in `toolkit.phases.LIMBS`; a source and its error limit, degrees."""
+    """Limbs by their columns in `toolkit.phases.LIMBS`, and a source."""
 
     columns: slice
     source: str
-    limit: float
 
     def frequency_error(self, row: Row) -> Tensor:
         """Larger relative error of the mean frequencies of both limbs, by that source."""
@@ -39,8 +37,8 @@ class Part:
         return found.nan_to_num().max() if not found.isnan().all() else found.max()
 
 
-PARTS = {"feet": Part(slice(2, 4), "contact", 20.0),
-         "hands": Part(slice(0, 2), "contact-free", 15.0)}
+PARTS = {"feet": Part(slice(2, 4), "contact"),
+         "hands": Part(slice(0, 2), "contact-free")}
 
 
 def run(
@@ -86,16 +84,10 @@ def run(
         numbers = worst(rows["cyclic"]) if name == "phases" else {}
         found = Result(name, about[name], "python -m experiments phases --store", columns, members,
                        {}, numbers)
-        print(f"{found.about}\n{found.markdown()}")
         if numbers:
             print("Largest errors in a cyclic style, and the least F1 of contacts: "
                   + ", ".join(f"{what} {value:.3g}" for what, value in numbers.items()))
-        if store:
-            found.save()
-    failed = [f"{row.name}: {what}" for row in rows["cyclic"] for what in failures(row)]
-    limits = ", ".join(f"{part.source} {limbs} {part.limit:g}°" for limbs, part in PARTS.items())
-    print(f"Limits for cyclic styles: {limits}, "
-          f"frequency {FREQUENCY_LIMIT:.0%}, F1 {F1_LIMIT}: {'; '.join(failed) or 'all kept'}")
+        found.show(store)
 
 
 def worst(rows: list[Row]) -> dict[str, float]:
@@ -144,18 +136,3 @@ def case(style: procedural.Style) -> str:
     if style.asymmetry or legs[0] != legs[1]:
         return "asymmetric"
     return "no global phase" if any(arm.ratio != 1 or arm.phase for arm in arms) else "cyclic"
-
-
-def failures(row: Row) -> list[str]:
-    """The limits that a row exceeds, in words."""
-    found = []
-    for limbs, part in PARTS.items():
-        errors = row.phase.get(part.source, torch.zeros(4))
-        worst = errors[part.columns].nan_to_num().max()
-        if worst > part.limit:
-            found.append(f"{part.source} {limbs} {worst:.1f}°")
-        if part.frequency_error(row) > FREQUENCY_LIMIT:
-            found.append(f"frequency of the {limbs} {float(part.frequency_error(row)):.1%}")
-    if min(row.f1) < F1_LIMIT:
-        found.append(f"F1 {min(row.f1):.3f}")
-    return found

@@ -34,18 +34,14 @@ def run(
     model: verbs.TrainedRun = None,
     parameters: verbs.Published = None,
     folder: Annotated[Path, typer.Option(help="Folder of shot files.")] = FOLDER,
-    plain: Annotated[bool, typer.Option("--plain",
-                                        help="The plain runtime, not the compiled one.")] = False,
     store: Store = False,
 ) -> None:
     """Distance from the path, arrivals and foot skate of every shot, beside the pilot of
     `toolkit.runtime.follow`.
     """
     net, bank = published.either(model, parameters)
-    net, name = (
-        net if plain else runtime.compile(net), "embedded" if parameters is None else "published"
-    )
-    rows = []
+    net, rows = runtime.compile(net), []
+    name = "embedded" if parameters is None else "published"
     for file in sorted(folder.glob("*.json")):
         scene = Scene.load(file)
         if scene.apart is None:  # who keeps apart leaves the path: `experiments.crowds`
@@ -54,9 +50,7 @@ def run(
     found = Result("shots", "the shots of examples/shots; the floor is the pilot of "
                    "toolkit.runtime.follow on the same path", "python -m experiments shots --store",
                    COLUMNS, rows)
-    print(found.markdown())
-    if store:
-        found.save()
+    found.show(store)
 
 
 def row(net, bank, shot: Shot) -> dict[str, float | str]:

@@ -92,9 +92,7 @@ def run(
                     f"{len(held_out)} takes that were held out.",
                     "python -m experiments sources --data DATA --store", COLUMNS, rows,
                     {"steps": STEPS, "takes": len(seen), "held out": len(held_out)})
-    print(result.markdown())
-    if store:
-        print(f"wrote {result.save()}")
+    result.show(store)
 
 
 def predicted(trained: Run, clips: list[Clip], source) -> tuple[dict[str, float], dict[str, float]]:

@@ -53,9 +53,7 @@ def run(
     result = Result("stylizer", about, "python -m experiments stylizer --store", COLUMNS,
                     [{"method": method, **values} for method, values in found.items()],
                     {"windows of a set": WINDOWS, "clips for the judges": len(learnt)})
-    print(f"\n{result.about}\n\n{result.markdown()}")
-    if store:
-        print(f"wrote {result.save()}")
+    result.show(store)
 
 
 def clips(stylizer: Stylizer, seeds: range) -> Motions:

@@ -80,6 +80,12 @@ class Result:
         return replace(self, rows=list(rows.values()),
                        numbers=old.numbers | self.numbers).save(folder)
 
+    def show(self, store: bool) -> None:
+        """Print the table, and write the file if it should be stored."""
+        print(f"{self.about}\n\n{self.markdown()}")
+        if store:
+            print(f"wrote {self.save()}")
+
     @classmethod
     def load(cls, name: str, folder: Path = RESULTS) -> "Result":
         """Read the file; ValueError if it is missing or holds something else."""

@@ -9,7 +9,6 @@ from typing import Annotated
 import typer
 
 from experiments.seven_models import failures, hundred, load, models, recorded, results, vectors
-from experiments.tables import Result
 from toolkit import datasets, networks, training
 from toolkit.evaluation.recognition import Recogniser
 from toolkit.extra import store
@@ -139,12 +138,11 @@ def recorded_(model: Annotated[str, typer.Option(help="Which model's runs.")] = 
         f"{len(clips)} held-out takes of {len(settings['frames'])} styles, followed for "
         f"{recorded.SECONDS:g} s each time"
     )
-    _written(results.recorded(result or "recorded", about,
-                              _command(settings) + f", then recorded --model {model}", rows,
-                              {"takes": len(clips), "styles": len(settings["frames"]),
-                               "seeds": len(runs),
-                               "seconds": recorded.SECONDS, "walks": len(recorded.moments(clips))}),
-                               result)
+    results.recorded(result or "recorded", about,
+                     _command(settings) + f", then recorded --model {model}", rows,
+                     {"takes": len(clips), "styles": len(settings["frames"]), "seeds": len(runs),
+                      "seconds": recorded.SECONDS, "walks": len(recorded.moments(clips))},
+                     ).show(result is not None)
 
 
 @app.command("vectors")
@@ -157,13 +155,11 @@ def vectors_(model: Annotated[str, typer.Option(help="Which model's runs.")] = "
     settings, data, _ = _opened(out)
     runs = _runs(out, model)
     rows = vectors.compared(runs, data, models.judge(data, out), progress=True)
-    _written(results.vectors(result or "vectors", f"{model}, {len(settings['frames'])} styles",
-                             _command(settings) + f", then vectors --model {model}", rows,
-                             {"styles": len(settings["frames"]), "seeds": len(runs),
-                              "steps": settings["steps"],
-                              "held-out frames of a style": vectors.FRAMES,
-                              "steps for each style": STEPS}),
-             result)
+    results.vectors(result or "vectors", f"{model}, {len(settings['frames'])} styles",
+                    _command(settings) + f", then vectors --model {model}", rows,
+                    {"styles": len(settings["frames"]), "seeds": len(runs),
+                     "steps": settings["steps"], "held-out frames of a style": vectors.FRAMES,
+                     "steps for each style": STEPS}).show(result is not None)
 
 
 @app.command("failures")
@@ -176,7 +172,7 @@ def failures_(
     """The failure cases of section 5.1, measured on the runs of a finished comparison."""
     settings, data, plan = _opened(out)
     for case in failures.cases(data, plan, out, result or "case", _command(settings)):
-        _written(case, result)
+        case.show(result is not None)
 
 
 @app.command("hundred")
@@ -211,13 +207,6 @@ def _runs(out: Path, model: str) -> list[Run]:
     return [training.load(path) for path in paths]
 
 
-def _written(found: Result, result: str | None) -> None:
-    """Print a result, and store it if it has a name."""
-    print(f"{found.about}\n{found.markdown()}")
-    if result is not None:
-        print(f"wrote {found.save()}")
-
-
 def _command(settings: dict) -> str:
     """The command of a comparison, with the places of this machine left out."""
     source = settings["source"]
@@ -246,7 +235,7 @@ def show(table: dict) -> None:
     settings = table["settings"]
     about = f"{_described(settings['source'])}: {len(settings['frames'])} styles"
     found = results.comparison("comparison", about, _command(settings), table)
-    print(f"{about}\n{found.markdown()}")
+    found.show(store=False)
     if math.isfinite(table["recogniser"]):
         print(f"The recogniser, trained on the training part, names {table['recogniser']:.0%} of "
               f"held-out seconds rightly. docs/comparison.md explains the columns.")

@@ -352,12 +352,9 @@ def accuracy(recogniser: Recogniser, data: Features) -> float:
     joints, right = data.layout.inputs["joints"], []
     for number, style in enumerate(recogniser.styles):
         size = recognition.WINDOW
-        rows = (
-            torch.arange(len(test.inputs[style]) // size * size).view(-1, size)
-        )
-        together = (
-            test.frames[style][rows][:, -1] - test.frames[style][rows][:, 0] == size - 1
-        )
+        rows = torch.arange(len(test.inputs[style]) // size * size).view(-1, size)
+        frames = test.frames[style][rows]
+        together = frames[:, -1] - frames[:, 0] == size - 1
         if together.any():
             windows = test.inputs[style][rows[together].flatten()][:, joints].unflatten(
                 0, (-1, size))

@@ -13,7 +13,7 @@ from typing import Annotated
 import torch
 import typer
 
-from experiments.speed.runtime import FRAMES, farthest, some, walks
+from experiments.speed.runtime import FRAMES, WAYS, farthest, some, walks
 from experiments.tables import Result, Store
 from toolkit import published, runtime
 from toolkit.cli import verbs
@@ -28,7 +28,6 @@ COLUMNS = {"model": ["model"], "where": ["where"], "characters": ["characters", 
            "pose": ["pose with IK", 3]}
 EQUALITY = {"compared": ["compared"], **{str(f): [f"frame {f}, mm", 3, 1000] for f in FRAMES},
             "size": ["the page's file, MB", 1, 1e-6]}
-WAYS = (0.8, 3.0, (0.0, 1.0)), (1.6, 3.0, (1.0, 0.0)), (0.8, 4.0, (1.0, 1.0))  # m/s, s, where to
 #: JavaScript: poses ``[frame][root 3, rotations 4 J']`` of a character through commands in a style.
 WALK = """(character, commands, style) => {
     character.restart();
@@ -68,7 +67,7 @@ def run(
                       "distance of any joint in any style",
                       "python -m experiments page --equality [--published "
                       "DATA/lpn_film_100style] --store", EQUALITY, rows)
-        print(made.markdown())
+        made.show(store=False)
         if store:
             made.add()
         return
@@ -89,9 +88,7 @@ def run(
                   "one thread", "python -m experiments page", COLUMNS, rows,
                   {"million weights": found["weights"] / 1e6, "G multiply-adds/s": rate / 1e9,
                    "GB/s": speed / 1e9})
-    print(made.markdown())
-    if store:
-        made.save()
+    made.show(store)
 
 
 def _equal(net, bank, count: int) -> dict[str, dict[str, float]]:

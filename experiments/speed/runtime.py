@@ -23,7 +23,8 @@ from toolkit.runtime.life import alive
 
 PEERS = (1, 64)  # numbers of characters for the comparison
 FRAMES = (60, 300, 600)  # at which rollouts are compared
-SPEEDS = 0.8, 1.6  # metres per second of the rollouts that are compared
+#: Parts of the rollouts that are compared: m/s, seconds, direction (x, z).
+WAYS = (0.8, 3.0, (0.0, 1.0)), (1.6, 3.0, (1.0, 0.0)), (0.8, 4.0, (1.0, 1.0))
 #: Columns of the stored table of speed: one core and `PEERS`.
 SPEED = {"work": ["on one core"], "1": ["1 character, µs", 0], "1 floors": ["× floor", 1],
          "64": ["64 characters, µs each", 1], "64 floors": ["× floor", 1],
@@ -77,9 +78,9 @@ def run(
                           "Processor time of the network and of a whole frame, medians, one thread",
                           command,
                           SPEED, rows, machine)
-        print(made.markdown())
-        if store:
-            made.add() if equality else made.save()
+        made.show(store and not equality)
+        if store and equality:
+            made.add()
     finally:
         torch.set_num_threads(before)
 
@@ -226,9 +227,7 @@ def _equal(net: Model, fast, bank, styles: int) -> dict[str, dict[str, float]]:
     """Rollouts of 600 frames of the compiled and the plain model, compared with each other and with
     double precision: `farthest` of each pair.
     """
-    slow, quick = SPEEDS
-    ways = (slow, 3.0, (0.0, 1.0)), (quick, 3.0, (1.0, 0.0)), (slow, 4.0, (1.0, 1.0))
-    commands = [command for way in ways for command in runtime.straight(*way)]
+    commands = [command for way in WAYS for command in runtime.straight(*way)]
     forms = {"plain": net, "compiled": fast, "double precision": copy.deepcopy(net).double()}
     clips = walks(forms, some(bank, styles), commands)
     pairs = (("compiled", "plain"), ("compiled", "double precision"), ("plain", "double precision"))

@@ -81,18 +81,15 @@ def run(
     torch.set_num_threads(1)
     chosen = _words(data, sets.SETS)
     names = _words(methods, METHODS)
-    plan, numbers = Plan(seconds, sources, part), numbers_in(seeds)
+    plan = Plan(seconds, sources, part)
     settle(out, plan)
     tasks = {name: sets.load(name) for name in chosen}
-    for seed in numbers:
+    for seed in map(int, seeds.split(",")):
         for name, task in tasks.items():
             for method in names:
                 measure(method, task, plan, seed, out, name, progress=True)
     for name, task in tasks.items():
-        result = summary(name, task, plan, out)
-        print(f"\n{result.about}\n\n{result.markdown()}")
-        if store:
-            print(f"wrote {result.save()}")
+        summary(name, task, plan, out).show(store)
 
 
 def measure(method: str, task: Task, plan: Plan, seed: int, folder: Path, name: str,
@@ -216,11 +213,3 @@ def _words(text: str, known: Sequence[str]) -> list[str]:
     if unknown := [name for name in names if name not in known]:
         raise ValueError(f"unknown: {', '.join(unknown)}; known: {', '.join(known)}")
     return names
-
-
-def numbers_in(text: str) -> list[int]:
-    """Whole numbers of an option."""
-    try:
-        return [int(number) for number in text.split(",")]
-    except ValueError as error:
-        raise ValueError(f"--seeds must be comma-separated whole numbers, got {text!r}") from error

@@ -62,9 +62,8 @@ def run(
         for name, part in scored(task, models, seed):
             found[name].append(part)
     result = summary(found, trainings, seconds)
-    print(f"\n{result.about}\n\n{result.markdown()}\n\n{result.numbers}")
-    if store:
-        print(f"wrote {result.save()}")
+    print(result.numbers)
+    result.show(store)
 
 
 def scored(task: sets.Task, models: Mapping[str, Stylizer],
