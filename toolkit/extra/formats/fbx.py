@@ -15,7 +15,7 @@ from torch import Tensor
 
 from toolkit.extra.formats.fbx_curves import LARGEST, Curve, read_curve
 from toolkit.extra.formats.fbx_records import Record, Records
-from toolkit.extra.formats.key_times import frame_rate, sample_times
+from toolkit.extra.formats.key_times import sampled
 from toolkit.extra.formats.nodes import Node, chosen, record
 from toolkit.io import files
 from toolkit.io.recording import Recording
@@ -175,15 +175,12 @@ class Scene(Records):
         own = float(self._setting(b"CustomFrameRate", USUAL))
         usual = RATES.get(mode, own if mode == OWN_RATE and 1 <= own <= 1000 else USUAL)
         times = [curve.times for curve in curves.values() if len(curve.times) > 1]
-        rate = frame_rate(times, usual) if times else usual
         joints = sum(m.kind in BONES or bool(chosen_nodes[key]) for key, m in self.models.items())
-        at = sample_times(times, rate, joints, len(self.data))
+        at, rate = sampled(times, usual, joints, len(self.data))
 
         moved = {key: {name: _track(self.models[key], name, node, curves, at, doubts)
                        for name, node in tracks.items()} for key, tracks in chosen_nodes.items()}
         nodes = self.nodes(moved)
-        if any(node.joint for node in nodes) and len(at) == 1:
-            doubts.append("no joint is animated; the pose of the nodes is given as it is")
         return record(nodes, len(at), rate, format_="FBX", unit=self.unit, up=self.up,
                       doubts=doubts)
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from toolkit.extra.formats.fbx_records import Record, Records
-from toolkit.extra.formats.key_times import hermite
+from toolkit.extra.formats.key_times import around, hermite
 
 CONSTANT, CUBIC, TCB, USER = 0x2, 0x8, 0x200, 0x400  # flags of a key
 NEXT, CLAMP, TIME_INDEPENDENT = 0x100, 0x1000, 0x2000
@@ -34,12 +34,7 @@ class Curve:
         if len(times) == 1:
             return np.full(len(at), values[0]), doubts
 
-        # The keys i before and i + 1 after each time, and the share of the way from one to the
-        # other
-        at = np.clip(at, times[0], times[-1])
-        i = np.clip(np.searchsorted(times, at + 1e-7, "right") - 1, 0, len(times) - 2)
-        span = times[i + 1] - times[i]
-        t = np.clip((at - times[i]) / span, 0.0, 1.0)
+        i, span, t = around(times, at, 1e-7)
 
         # A key's flags say how the curve goes on to the next key
         kind = self.flags[i]

@@ -17,7 +17,7 @@ from toolkit.extra.formats.gltf_file import (
     numbers_of,
     unit_quaternions,
 )
-from toolkit.extra.formats.key_times import frame_rate, hermite, sample_times
+from toolkit.extra.formats.key_times import around, hermite, sampled
 from toolkit.extra.formats.nodes import Node, chosen, record
 from toolkit.io.files import named
 from toolkit.io.recording import Recording
@@ -82,9 +82,6 @@ class _File(Document):
         index = chosen(names, animation, doubts)
         channels = self._channels(animations[index], len(nodes)) if animations else {}
         frames, fps = self._animate(nodes, channels)
-        still = all(len(n.rotation) == len(n.translation) == 1 for n in nodes)
-        if still and any(node.joint for node in nodes):
-            doubts.append("no joint is animated; the pose of the nodes is given as it is")
         return record(nodes, frames, fps, format_="glTF", unit=1.0, up="y", roles=roles,
                       doubts=doubts)
 
@@ -137,12 +134,9 @@ class _File(Document):
     def _animate(self, nodes: list[Node],
                  channels: dict[tuple[int, str], _Channel]) -> tuple[int, float]:
         """Sample the channels into the nodes' tracks: the number of frames, and their rate."""
-        if not channels:
-            return 1, USUAL
         times = [channel.keys for channel in channels.values()]
-        rate = frame_rate(times, USUAL)
         joints = sum(node.joint for node in nodes) + len({j for j, _ in channels})
-        at = sample_times(times, rate, joints, self.size)
+        at, rate = sampled(times, USUAL, joints, self.size)
         for (j, what), channel in channels.items():
             track = _sample(channel, at, turn=what == "rotation")
             if np.ptp(track, axis=0).max() < 1e-12:
@@ -178,15 +172,10 @@ def _sample(channel: _Channel, at: np.ndarray, turn: bool) -> np.ndarray:
     if len(keys) == 1:
         return np.repeat(own, len(at), axis=0)
 
-    # The keys before and after each time, and the share of the way from one to the other
-    at = np.clip(at, keys[0], keys[-1])
-    i = np.clip(np.searchsorted(keys, at + 1e-6, "right") - 1, 0, len(keys) - 1)
+    i, span, t = around(keys, at, 1e-6)
     if kind == "STEP":
-        return own[i]
-    i = np.minimum(i, len(keys) - 2)
-    span = (keys[i + 1] - keys[i])[:, None]
-    t = np.clip((at - keys[i])[:, None] / span, 0.0, 1.0)
-
+        return own[i + (at >= keys[-1] - 1e-6)]
+    span, t = span[:, None], t[:, None]
     if kind == "LINEAR" and turn:
         first, second = (torch.from_numpy(own[k]) for k in (i, i + 1))
         return R.slerp(first, second, torch.from_numpy(t[:, 0])).numpy()

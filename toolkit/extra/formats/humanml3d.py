@@ -18,7 +18,6 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import rotations as R
-from toolkit.motion.tensors import as_tensor
 
 NAMES = ("pelvis", "left_hip", "right_hip", "spine1", "left_knee", "right_knee", "spine2",
          "left_ankle", "right_ankle", "spine3", "left_foot", "right_foot", "neck", "left_collar",
@@ -35,10 +34,6 @@ def to_joints(vectors: Tensor) -> Tensor:
 
     The first frame stands at the origin of the floor and faces +z.
     """
-    vectors = as_tensor(vectors, "vectors")
-    if vectors.dim() != 2 or vectors.shape[1] != WIDTH or not len(vectors):
-        raise ValueError(f"expected HumanML3D's numbers [F, {WIDTH}], F >= 1, "
-                         f"got {list(vectors.shape)}")
     turn, velocity, height, positions, *_ = vectors.split(BLOCKS, 1)
 
     # A row's velocities lead to the next frame, so frame 0 has no turn and stands at the origin

@@ -33,13 +33,16 @@ def frame_rate(times: Sequence[np.ndarray], usual: float) -> float:
     return usual
 
 
-def sample_times(times: Sequence[np.ndarray], rate: float, joints: int, size: int) -> np.ndarray:
-    """Times ``[F]`` of the frames from the first key to the last; one frame if there is no key.
+def sampled(times: Sequence[np.ndarray], usual: float, joints: int,
+            size: int) -> tuple[np.ndarray, float]:
+    """Times ``[F]`` of the frames from the first key to the last, and `frame_rate`.
 
-    ValueError if a file of ``size`` bytes cannot hold so many frames of so many joints.
+    One frame if there is no key. ValueError if a file of ``size`` bytes cannot hold so many frames
+    of so many joints.
     """
     if not times:
-        return np.zeros(1)
+        return np.zeros(1), usual
+    rate = frame_rate(times, usual)
     begin, end = min(t[0] for t in times), max(t[-1] for t in times)
     length = (end - begin) * rate
     if not length < max(MOST, size / 8) / max(joints, 1):
@@ -47,7 +50,19 @@ def sample_times(times: Sequence[np.ndarray], rate: float, joints: int, size: in
                          "can hold")
     if length > FRAMES:
         raise ValueError(f"{length:.0f} frames, more than {FRAMES}")
-    return begin + np.arange(round(length) + 1) / rate
+    return begin + np.arange(round(length) + 1) / rate, rate
+
+
+def around(keys: np.ndarray, at: np.ndarray,
+           early: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """For times ``at [F]`` the key before, the seconds to the next, the share of the way to it.
+
+    A time counts as that of a key from ``early`` seconds before it on. There are two or more keys.
+    """
+    at = np.clip(at, keys[0], keys[-1])
+    i = np.clip(np.searchsorted(keys, at + early, "right") - 1, 0, len(keys) - 2)
+    span = keys[i + 1] - keys[i]
+    return i, span, np.clip((at - keys[i]) / span, 0.0, 1.0)
 
 
 def hermite(t: np.ndarray, first: np.ndarray, second: np.ndarray, out: np.ndarray,

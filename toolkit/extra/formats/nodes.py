@@ -112,6 +112,8 @@ def record(nodes: Sequence[Node], frames: int, fps: float, *, format_: str, unit
         If there is no joint, nodes form a circle, a scale is negative, or a limb is not rigid.
     """
     tree = _Tree(nodes)
+    if all(len(node.rotation) == len(node.translation) == 1 for node in nodes):
+        doubts.append("no joint is animated; the pose of the nodes is given as it is")
     top = tree.top(doubts)
     root, left_out = tree.travelling(top)
     kept, offsets = tree.rigid(root, left_out, tree.size(top), doubts)
