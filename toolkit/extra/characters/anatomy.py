@@ -21,6 +21,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise, product
 
 import torch
+from scipy.spatial.transform import Rotation
 from torch import Tensor
 
 from toolkit.motion import rotations as R
@@ -36,6 +37,8 @@ STEEP = 0.3  # sine from the vertical below which a foot's bone does not show wh
 SHORT = 0.01  # metres; a shorter leg is none
 STRAIGHT = 0.02  # sine of the mean bend below which an arm's elbow axis cannot be found
 NEAR, NEAR_FOOT = 0.85, 0.985  # cosines from which axes count as turned by multiples of 90 degrees
+#: The 24 rotations between coordinate axes, matrices ``[24, 3, 3]``.
+AXES = torch.from_numpy(Rotation.create_group("O").as_matrix().round())
 STILL = 1e-3  # change of quaternions up to which a clip shows one pose
 FLAT = 0.1  # share of the frames in which a foot is lowest: there it lies flat on the floor
 
@@ -252,14 +255,8 @@ def _inherited(clip: Clip, joint: int, axes: Tensor) -> Tensor:
 def _nearest(turns: Tensor) -> Tensor:
     """The rotation ``[4]`` between coordinate axes nearest to the mean of ``turns [F, 4]``."""
     mean = R.to_matrix(turns).mean(0)
-    axes, left = torch.zeros_like(mean), mean.clone()
-    for _ in range(2):  # the two largest entries decide two axes …
-        row, column = divmod(int(left.abs().argmax()), 3)
-        axes[row, column] = mean[row, column].sign()
-        left[row], left[:, column] = 0.0, 0.0
-    third = int((axes.abs().sum(0) == 0).nonzero()[0])  # … and these the third
-    axes[:, third] = torch.linalg.cross(axes[:, (third + 1) % 3], axes[:, (third + 2) % 3])
-    return R.from_matrix(axes)
+    axes = AXES.to(mean)
+    return R.from_matrix(axes[(axes * mean).sum((1, 2)).argmax()])
 
 
 def _rounded(turn: Tensor, near: float) -> Tensor:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import torch
+from scipy.spatial.transform import Rotation
 
 from toolkit.extra.characters.retargeting import retarget
 from toolkit.extra.formats import npz
@@ -37,12 +38,9 @@ def write(clip: Clip, path: Path, *, title: str, source: Clip | None, progress: 
     place = R.rotate(upright, made.root_positions.double()) - torch.tensor(npz.ORIGIN)
 
     # Rotation vectors: the axis times the angle, at most half a turn
-    turns = torch.where(turns[..., :1] < 0, -turns, turns)
-    size = turns[..., 1:].norm(dim=-1, keepdim=True)
-    angle = 2 * torch.atan2(size, turns[..., :1])
-    vectors = turns[..., 1:] / size.clamp_min(1e-12) * angle
+    vectors = Rotation.from_quat(turns.flatten(0, 1).numpy(), scalar_first=True).as_rotvec()
     poses = np.zeros((len(made), WIDTH))
-    poses[:, :66] = vectors.flatten(1).numpy()
+    poses[:, :66] = vectors.reshape(len(made), -1)
     file = io.BytesIO()
     np.savez(file, poses=poses, root_orient=poses[:, :3], pose_body=poses[:, 3:66],
              trans=place.numpy(), betas=np.zeros(SHAPES), gender="neutral",

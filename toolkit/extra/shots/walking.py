@@ -33,10 +33,9 @@ def first(model, shots: Sequence, styles,
     if state.phase.shape[1] == 1:  # the one angle of a global phase
         return dataclasses.replace(state, phase=(state.phase + later.to(state.phase)) % math.tau)
     # local phases are vectors: all turn by the same angle
-    s, c = later.sin().to(state.phase), later.cos().to(state.phase)
-    x, y = state.phase[:, 0::2], state.phase[:, 1::2]
-    turned = torch.stack((c * x - s * y, s * x + c * y), -1)
-    return dataclasses.replace(state, phase=turned.flatten(1))
+    vectors = torch.view_as_complex(state.phase.unflatten(1, (-1, 2)))
+    turned = vectors * torch.exp(1j * later).to(vectors)
+    return dataclasses.replace(state, phase=torch.view_as_real(turned).flatten(1))
 
 
 def rolled(
