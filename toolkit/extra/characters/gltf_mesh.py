@@ -81,7 +81,7 @@ class _Reader:
         self.images: dict[int, np.ndarray | None] = {}
 
         # World transforms [4, 4], parents first
-        self.children, self.order = descending(self.parents)
+        self.tree, self.order = descending(self.parents)
         self.world = np.empty((len(self.nodes), 4, 4))
         for j in self.order:
             self.world[j] = self._above(j) @ _transform(self.nodes[j])
@@ -141,7 +141,7 @@ class _Reader:
         stack = [j for j in kept if self.parents[j] < 0]
         if len(stack) != 1:
             raise ValueError("the joints of its skins have no common ancestor")
-        below = {j: [child for child in self.children[j] if child in kept] for j in kept}
+        below = {j: [child for child in self.tree.children[j] if child in kept] for j in kept}
         while stack[0] not in joints and len(below[stack[0]]) == 1:
             stack = below[stack[0]]
         found = []

@@ -18,6 +18,7 @@ from torch import Tensor
 
 from toolkit.io.recording import Recording
 from toolkit.motion import rotations as R
+from toolkit.motion.roles import Tree
 from toolkit.motion.tensors import few
 
 # Shares of the skeleton's size (the longest path of bones from its root)
@@ -59,20 +60,16 @@ def unique(names: Sequence[str]) -> list[str]:
     return list(made)
 
 
-def descending(parents: Sequence[int]) -> tuple[list[list[int]], list[int]]:
-    """Children of each node, and all nodes, parents first.
+def descending(parents: Sequence[int]) -> tuple[Tree, list[int]]:
+    """The tree of nodes without lengths, and all nodes, parents first.
 
     ValueError if nodes form a circle: these are below no top.
     """
-    children: list[list[int]] = [[] for _ in parents]
-    order: list[int] = []
-    for j, parent in enumerate(parents):
-        (children[parent] if parent >= 0 else order).append(j)
-    for j in order:
-        order.extend(children[j])
+    tree = Tree(parents, ())
+    order = tree.below(-1)[1:]
     if len(order) != len(parents):
         raise ValueError("some nodes are their own ancestors")
-    return children, order
+    return tree, order
 
 
 def chosen(names: Sequence[str], wanted: str | int | None, doubts: list[str]) -> int:
@@ -143,7 +140,7 @@ class _Tree:
 
     def __init__(self, nodes: Sequence[Node]):
         self.nodes = nodes
-        self.children, self.order = descending([node.parent for node in nodes])
+        self.tree, self.order = descending([node.parent for node in nodes])
 
         # Joints and skinned joints of each branch, with its top
         self.joints = [int(node.joint) for node in nodes]
@@ -184,7 +181,7 @@ class _Tree:
                 doubts.append("the file holds several skeletons; "
                               f"that of {self.nodes[branches[0]].name} was read")
             at = branches[0]
-            branches = self.branches(self.children[at])
+            branches = self.branches(self.tree.children[at])
         return at
 
     def whole(self, j: int) -> bool:
@@ -227,10 +224,10 @@ class _Tree:
         root, left_out = top, set()
         passed: set[int] = set()  # branches beside the way down
         at, steps, doubtful = top, 0, False
-        while branches := self.branches(self.children[at]):
+        while branches := self.branches(self.tree.children[at]):
             at, *others = branches
             steps += 1
-            passed |= set(self.children[self.nodes[at].parent]) - {at}
+            passed |= set(self.tree.children[self.nodes[at].parent]) - {at}
             if steps > MERGED * self.joints[at] or not all(map(aside, others)):
                 break
             # If only helpers are lost, any motion shows the root; otherwise only a large one does
@@ -254,7 +251,7 @@ class _Tree:
         while stack:
             j = stack.pop()
             kept.append(j)
-            for child in reversed(self.children[j]):
+            for child in reversed(self.tree.children[j]):
                 node = self.nodes[child]
                 if child in moving or not (self.joints[child] or node.plain):
                     continue
@@ -277,7 +274,7 @@ class _Tree:
         if names := [self.nodes[j].name for j in sorted(moving) if self.joints[j]]:
             doubts.append("joints that move against the skeleton, or are mirrored controls, were "
                           f"left out: {few(names)}")
-        self._check_scales({*self.chain(root), *kept}, doubts)
+        self._check_scales({*self.tree.up(root), *kept}, doubts)
         offsets = np.stack([_median(self.bone(j)) for j in kept])
         offsets[0] = 0.0
         return kept, offsets
@@ -288,7 +285,7 @@ class _Tree:
         ValueError if one is negative.
         """
         odd = []
-        for j in sorted(j for j in kept if self.children[j]):
+        for j in sorted(j for j in kept if self.tree.children[j]):
             scale = _median(self.nodes[j].scale)
             if (scale < 0).any():
                 raise ValueError(f"node {self.nodes[j].name} is mirrored by a negative scale; "
@@ -300,17 +297,10 @@ class _Tree:
             doubts.append("joints whose scale changes, or differs between its axes, have a mean: "
                           f"{few(odd)}")
 
-    def chain(self, j: int) -> list[int]:
-        """A node after its ancestors, from the top."""
-        above = [j]
-        while self.nodes[above[-1]].parent >= 0:
-            above.append(self.nodes[above[-1]].parent)
-        return above[::-1]
-
     def world(self, j: int) -> tuple[Tensor, np.ndarray]:
         """Rotations ``[F or 1, 4]`` and positions ``[F or 1, 3]`` of a node in the world."""
         turned, place = R.identity(1).double(), np.zeros((1, 3))
-        for i in self.chain(j):
+        for i in reversed(self.tree.up(j)):
             place = place + R.rotate(turned, torch.from_numpy(self.bone(i))).numpy()
             turned = R.multiply(*torch.broadcast_tensors(turned, self.nodes[i].rotation))
         return turned, place
