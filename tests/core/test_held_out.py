@@ -54,6 +54,8 @@ def test_a_fit_begins_with_steps_of_six_hundredths_of_the_deviation_between_styl
     apart = float(bank.vectors.std(0).mean()) if len(names) > 1 else 1.0
     gone = (one.vectors - bank.vectors).abs().median()  # Adam's first step is as long as its rate
     assert float(gone) == pytest.approx(0.06 * apart, rel=1e-2)
+    two = refit(run.model, bank, data, steps=2)  # the second step is half as long
+    assert float((two.vectors - bank.vectors).abs().max()) < 1.6 * 0.06 * apart
 
 
 def test_a_bank_of_few_clips_takes_the_first_and_the_last():
