@@ -1,15 +1,13 @@
 """The rules of a shot: its curve, its timing and the feedback that keeps a character on both.
 
-Double-precision arithmetic; `view/scene/course.js` computes the same, function by function. Metres,
-seconds, (x, z) on the floor; a table has one row per frame at 60 Hz.
+Plain double-precision arithmetic of numbers and lists; `view/scene/course.js` computes the same,
+function by function. Metres, seconds, (x, z) on the floor; a table has one row per frame at 60 Hz.
 """
 
 import math
 from bisect import bisect_right
 from collections.abc import Sequence
-
-import numpy as np
-from scipy.interpolate import CubicHermiteSpline, make_interp_spline
+from itertools import pairwise
 
 from toolkit.styles.transitions import EASINGS
 
@@ -59,25 +57,36 @@ class Curve:
     """
 
     def __init__(self, points: Sequence[Pair], smooth: bool):
-        chords = np.linalg.norm(np.diff(points, axis=0), axis=1)
-        along = np.append(0.0, chords.cumsum())
-        if smooth:
-            order = min(2, len(chords))  # at the ends: the tangents of the parabola, of a line
-            tangents = np.gradient(points, along, axis=0, edge_order=order)
-            curve = CubicHermiteSpline(along, points, tangents)
-        else:
-            curve = make_interp_spline(along, points, 1)
-
-        # steps of equal shares on each chord
-        steps = np.ceil(chords / SPACING - 1e-9).astype(int)
-        shares = [start + chord * np.arange(1, count + 1) / count
-                  for start, chord, count in zip(along, chords, steps, strict=False)]
-        places = curve(np.concatenate(([0.0], *shares)))
-        lengths = np.linalg.norm(np.diff(places, axis=0), axis=1)
-        self.x, self.z = places.T.tolist()
-        self.at = np.append(0.0, lengths.cumsum()).tolist()
-        self.knots = [self.at[k] for k in np.append(0, steps.cumsum())]
+        chords = [math.hypot(bx - ax, bz - az) for (ax, az), (bx, bz) in pairwise(points)]
+        slopes = [[(b[i] - a[i]) / d for i in (0, 1)]
+                  for (a, b), d in zip(pairwise(points), chords, strict=True)]
+        tangents = [slopes[0]]
+        for k in range(1, len(chords)):
+            before, after = chords[k - 1], chords[k]
+            tangents.append([(slopes[k - 1][i] * after + slopes[k][i] * before) / (before + after)
+                             for i in (0, 1)])
+        tangents.append(slopes[-1])
+        if len(chords) > 1:
+            tangents[0] = [2 * slopes[0][i] - tangents[1][i] for i in (0, 1)]
+            tangents[-1] = [2 * slopes[-1][i] - tangents[-2][i] for i in (0, 1)]
+        self.x, self.z, self.at, self.knots = [points[0][0]], [points[0][1]], [0.0], [0.0]
+        for k, chord in enumerate(chords):
+            steps = math.ceil(chord / SPACING - 1e-9)
+            for step in range(1, steps + 1):
+                t = step / steps
+                u = 1 - t
+                x, z = (self._blend(points[k][i], points[k + 1][i], tangents[k][i] * chord,
+                                    tangents[k + 1][i] * chord, t, u)
+                        if smooth else u * points[k][i] + t * points[k + 1][i] for i in (0, 1))
+                self.at.append(self.at[-1] + math.hypot(x - self.x[-1], z - self.z[-1]))
+                self.x.append(x)
+                self.z.append(z)
+            self.knots.append(self.at[-1])
         self.length = self.at[-1]
+
+    @staticmethod
+    def _blend(a: float, b: float, at_a: float, at_b: float, t: float, u: float) -> float:
+        return u * u * (1 + 2 * t) * a + t * t * (1 + 2 * u) * b + u * t * (u * at_a - t * at_b)
 
     def point(self, distance: float) -> Pair:
         """The place at an arc length; the ends beyond them."""
