@@ -14,6 +14,7 @@ from toolkit.motion.skeleton import Skeleton, forward_kinematics, local_rotation
 from toolkit.motion.tensors import as_tensor, at_rate, summary
 from toolkit.motion.text import checked, printable
 
+ASKEW = 0.35  # distance of unit vectors: a reflection of axes that maps bones worse does not fit
 FASTEST = 10_000  # frames per second: a window of a tenth of a second then has a thousand frames
 UNIT = 1e-3  # tolerance of a quaternion's length: files with four decimals, products in float32
 
@@ -171,7 +172,8 @@ def frame_reflections(skeleton: Skeleton, mean: Tensor) -> Tensor:
         Σ ‖S b − b'‖² / (1 cm)² − tr(Sᵀ M),   M = mean'ᵀ S_parent mean
 
     over the bones b below the joint and b' below its counterpart, and the mean local rotations
-    ``mean [J, 3, 3]`` of both. It is a reflection of one or of all three axes.
+    ``mean [J, 3, 3]`` of both. We try the reflections of one and of all three axes. If none maps
+    the bones, S is the best orthogonal matrix (Procrustes).
     """
     if mean.is_meta:
         return torch.empty_like(mean)
@@ -190,9 +192,33 @@ def frame_reflections(skeleton: Skeleton, mean: Tensor) -> Tensor:
         here, there = offsets[bones[j]], offsets[[pairs[k] for k in bones[j]]]
         above = choices[0] if p < 0 else own[p]
         rotation = mean[pairs[j]].T @ above @ mean[j]  # M
+
+        # A reflection of axes, if it maps the bones.
         misfit = (here @ choices.mT - there).square().sum((-2, -1)) / 0.01**2
-        own[j] = choices[((choices * rotation).sum((-2, -1)) - misfit).argmax()]
+        best = int(((choices * rotation).sum((-2, -1)) - misfit).argmax())
+        long = here.norm(dim=-1) > 0.01
+        apart = R.normalize(here[long]) @ choices[best].mT - R.normalize(there[long])
+        if float(apart.norm(dim=-1).amax() if len(apart) else 0.0) < ASKEW:
+            own[j] = choices[best]
+            continue
+
+        # Else any reflection; 3 cm of bones weigh 10,000 times as much as the means.
+        target = rotation + there.T @ here / 0.0003**2
+        own[j] = _nearest_mirror(target) if pairs[j] == j else _nearest_reflection(target)
     return own
+
+
+def _nearest_mirror(target: Tensor) -> Tensor:
+    """The reflection in a plane, which is its own inverse, nearest to a matrix ``[3, 3]``."""
+    normal = torch.linalg.eigh(target + target.T).eigenvectors[:, 0]
+    return torch.eye(3).to(target) - 2 * torch.outer(normal, normal)
+
+
+def _nearest_reflection(target: Tensor) -> Tensor:
+    """The orthogonal matrix of determinant -1 nearest to a matrix ``[3, 3]`` (Procrustes)."""
+    u, _, v = torch.linalg.svd(target)
+    flip = -torch.linalg.det(u @ v).sign()
+    return u @ torch.diag(torch.stack((*u.new_ones(2), flip))) @ v
 
 
 def on_cpu(clips: Clip | Iterable[Clip]) -> list[Clip]:
