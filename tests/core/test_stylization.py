@@ -4,6 +4,7 @@ import copy
 import dataclasses
 import functools
 import math
+import re
 from itertools import pairwise, product
 
 import pytest
@@ -329,15 +330,31 @@ def test_training_goes_on_from_a_checkpoint_as_if_it_had_not_stopped(motions, tm
         st.fit(motions.select(motions.take < 3), config, path)
 
 
+@pytest.fixture(scope="module")
+def parts(motions, tmp_path_factory):
+    """Tensors and numbers of a checkpoint."""
+    path = tmp_path_factory.mktemp("whole") / "checkpoint"
+    st.fit(motions, FEW, path)
+    return model_files.read(path, "stylization_checkpoint")
+
+
 FEW = training.Config.quick(sizes=SMALL, batch=2, iterations=3, warm_up=1, log_every=2)
 FIRST = "adam.generator.0.exp_avg"
 
 
-def test_a_checkpoint_that_does_not_fit_is_refused(motions, tmp_path):
-    st.fit(motions, FEW, tmp_path / "checkpoint")
-    tensors, parts = model_files.read(tmp_path / "checkpoint", "stylization_checkpoint")
-    model_files.write(tmp_path / "checkpoint", tensors | {FIRST: torch.zeros(3)}, parts)
-    with pytest.raises(ValueError, match=r"differs in tensor 0\.exp_avg") as error:
+@pytest.mark.parametrize(("name", "value", "why"), [
+    (FIRST, torch.zeros(3), "differs in tensor 0.exp_avg"),
+    ("step", 10**18, "its step is 1000000000000000000 after"),
+    ("elapsed", -1, "its step is 3 after -1 s"),
+    ("history", [3], "its history is [3]"),
+    ("sums", {"id": [1.0]}, "its sums is {'id': [1.0]}"),
+])
+def test_a_checkpoint_that_does_not_fit_is_refused(motions, parts, tmp_path, name, value, why):
+    tensors, numbers = dict(parts[0]), dict(parts[1]["stylization_checkpoint"])
+    (numbers if name in numbers else tensors)[name] = value
+    numbers |= {"config": FEW.fixed()}
+    model_files.write(tmp_path / "checkpoint", tensors, {"stylization_checkpoint": numbers})
+    with pytest.raises(ValueError, match=re.escape(why)) as error:
         st.fit(motions, FEW, tmp_path / "checkpoint")
     assert str(error.value).startswith(f"{tmp_path / 'checkpoint'}: the checkpoint is damaged (")
 

@@ -6,6 +6,7 @@ import json
 import math
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -315,6 +316,20 @@ def test_ctrl_c_ends_the_step_and_leaves_a_checkpoint(tmp_path, monkeypatch):
         training.fit(waves(), QUICK, path)
 
 
+def test_what_a_kill_leaves_is_resumed_as_if_not_killed(tmp_path):
+    """The checkpoint as it lay in a step: a file is replaced whole (`atomic_write`)."""
+    config = quick(steps=30, save_every=0.0, patience=3)
+    path, left = tmp_path / "checkpoint", tmp_path / "left"
+    with after_steps(lambda step, _: step == 17 and shutil.copy(path, left)):
+        whole = training.fit(waves(), config, path)
+    steps = []
+    with after_steps(lambda step, _: steps.append(step)):
+        resumed = training.fit(waves(), config, left)
+    assert steps == list(range(17, 31))
+    assert same_weights(whole.model, resumed.model)
+    assert course(whole) == course(resumed)
+
+
 SCRIPT = """
 import json, os, sys
 import torch
@@ -465,7 +480,15 @@ FIRST, BEST = "adam.model.0.exp_avg", "best.experts.layers.0.weight"
     (FIRST, lambda t: t[:1], "differs in tensor 0.exp_avg"),
     (FIRST, lambda t: t * math.nan, f"{FIRST} has numbers that are not finite"),
     ("adam.model.99.exp_avg", lambda t: torch.zeros(2), "differs in tensor 99.exp_avg"),
+    ("adam.model.3.step", lambda t: t * 0, "parameter 3 has a step below 1 or a negative"),
     (BEST, lambda t: t[:, 1:], "differs in tensor experts.layers.0.weight"),
+    ("step", lambda _: 10**18, "its step is 1000000000000000000 after"),
+    ("processor", lambda _: "x", "its processor is 'x'"),
+    ("losses", lambda _: {"loss": None}, "its losses is {'loss': None}"),
+    ("step", lambda _: 7, "the moments of Adam are those of step 6"),
+    ("step", lambda _: None, "'step' is missing"),
+    ("elapsed", lambda _: -1.0, "its step is 6 after -1.0 s"),
+    ("history", lambda _: [{"step": 1}], "'held_out' is missing"),
 ])
 def test_a_checkpoint_that_does_not_fit_the_run_is_refused(tmp_path, parts, name, value, why):
     """The fused Adam reads and writes outside of moments that are too small."""

@@ -65,6 +65,7 @@ def test_weights_that_are_not_finite_are_not_written_or_read(tmp_path):
     ("n_styles", lambda _: True, "a model has 1 to 100000 styles, got True"),
     ("layout", lambda of: of | {"offsets": [[1e30] * 3] * len(of["names"])}, "at most 1e+06 m"),
     ("layout", lambda of: of | {"phase_limbs": ["left_hand", 1]}, "must be named by a text, got 1"),
+    ("history", lambda _: "abc", "its history is 'abc'"),
 ])
 def test_models_of_numbers_that_no_training_makes_are_refused(
     name, value, why, small_run, tmp_path):

@@ -130,6 +130,7 @@ def execute(app: TyperGroup, arguments: list[str] | None = None) -> int:
 def _notices() -> Iterator[None]:
     """Inside, warnings are printed as lines, and which data is used."""
     logger, lines = logging.getLogger("toolkit.datasets"), logging.Handler(logging.INFO)
+    level = logger.level
     lines.emit = lambda record: _print_error(record.getMessage())
     logger.addHandler(lines)
     logger.setLevel(logging.INFO)
@@ -139,6 +140,7 @@ def _notices() -> Iterator[None]:
             yield
         finally:
             logger.removeHandler(lines)
+            logger.setLevel(level)
 
 
 def say(text: object, file: TextIO | None = None) -> None:

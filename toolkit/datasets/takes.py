@@ -23,6 +23,7 @@ class Take:
     style: str
     gait: str
 
+
 @dataclass(frozen=True)
 class Source:
     """Where the files of a dataset are and how they are named."""

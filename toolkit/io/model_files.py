@@ -88,11 +88,15 @@ def restore(build: Callable[[], nn.Module], tensors: dict[str, Tensor], start: s
         If a tensor is missing or unknown, has another shape or kind of numbers, or buffers that are
         not in the file are too large.
     """
-    own = starting(tensors, start)
+    own = {name.removeprefix(start): value for name, value in tensors.items()
+           if name.startswith(start)}
     with torch.device("meta"):
         module = build()
     expected = module.state_dict()
-    fit(own, expected)
+    kinds = ({name: [*value.shape, "float" if value.is_floating_point() else value.dtype]
+              for name, value in values.items()} for values in (expected, own))
+    if why := difference(*kinds):
+        raise ValueError(f"it differs in tensor {why}")
     computed = sum(buffer.nbytes for name, buffer in module.named_buffers() if name not in expected)
     if computed > COMPUTED:
         raise ValueError(f"its buffers would take {computed:.3g} bytes")
@@ -102,20 +106,6 @@ def restore(build: Callable[[], nn.Module], tensors: dict[str, Tensor], start: s
     own = {name: value.to(expected[name].dtype) for name, value in own.items()}
     module.load_state_dict(own, assign=not computed)
     return module.eval()
-
-
-def starting(tensors: Mapping[str, Tensor], start: str) -> dict[str, Tensor]:
-    """The tensors whose names begin with ``start``, by the rest of their names."""
-    return {name.removeprefix(start): value for name, value in tensors.items()
-            if name.startswith(start)}
-
-
-def fit(tensors: Mapping[str, Tensor], expected: Mapping[str, Tensor]) -> None:
-    """ValueError if names, shapes or kinds of numbers differ; all floats are of one kind."""
-    kinds = ({name: [*value.shape, "float" if value.is_floating_point() else value.dtype]
-              for name, value in values.items()} for values in (expected, tensors))
-    if why := difference(*kinds):
-        raise ValueError(f"it differs in tensor {why}")
 
 
 def sound(tensors: Mapping[str, Tensor]) -> None:
@@ -132,6 +122,30 @@ def sound(tensors: Mapping[str, Tensor]) -> None:
                              f"{LARGEST:g}")
         if name.endswith("std") and least < 1 / LARGEST:
             raise ValueError(f"the tensor {name} has deviations that are not positive")
+
+
+def alike(values: dict[str, Any], examples: dict[str, Any]) -> None:
+    """ValueError if a JSON value is not of the kinds of an example; numbers must be finite.
+
+    The one entry of a dictionary or list stands for any number of them. A tuple stands for a list
+    of its length, None for null or any number.
+    """
+    for name, example in examples.items():
+        if not _fits(values[name], example):
+            raise ValueError(f"its {name} is {values[name]!r:.60}")
+
+
+def _fits(value: Any, example: Any) -> bool:
+    if isinstance(example, dict):
+        inside = next(iter(example.values()))
+        return isinstance(value, dict) and all(_fits(v, inside) for v in value.values())
+    if isinstance(example, list | tuple):
+        long = isinstance(value, list) and (isinstance(example, list) or len(value) == len(example))
+        return long and all(_fits(v, example[0]) for v in value)
+    if example is None:
+        return value is None or type(value) in (int, float)
+    known = (int,) if isinstance(example, int) else (int, float)
+    return type(value) in known and abs(value) < LARGEST
 
 
 @contextlib.contextmanager

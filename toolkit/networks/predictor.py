@@ -204,7 +204,10 @@ class Predictor(nn.Module):
         return Normaliser(getattr(self, f"{kind}_mean"), getattr(self, f"{kind}_std"))
 
     def normalise(self, normalisers: dict[str, Normaliser]) -> None:
-        """Set normalisers; a ValueError if one has not as many columns."""
+        """Set normalisers; a ValueError if one is unknown, or has not as many columns."""
+        if not set(normalisers) <= set(KINDS):
+            raise ValueError(f"normalisers are for {', '.join(KINDS)}; got "
+                             f"{', '.join(normalisers)}")
         for kind, given in normalisers.items():
             own = self.normaliser(kind)
             for mine, other in ((own.mean, given.mean), (own.std, given.std)):

@@ -183,7 +183,8 @@ def fit(motions: Motions, config: Config | None = None,
     for name in NETWORKS:
         network = discriminator if name == "discriminator" else getattr(stylizer, name)
         adams[name] = torch.optim.Adam(network.parameters(), config.rates[name], BETAS, fused=True)
-    file = Checkpoint("stylization_checkpoint", both, adams, config.fixed())
+    kinds = {"step": 0, "elapsed": 0.0, "history": [{"": 0.0}], "sums": {"": (0.0, 0.0)}}
+    file = Checkpoint("stylization_checkpoint", both, adams, config.fixed(), kinds)
     state = {"step": 0, "elapsed": 0.0, "history": [], "sums": {}}
     if checkpoint and resume and Path(checkpoint).exists():
         state = file.load(checkpoint)[0]

@@ -15,6 +15,7 @@ from torch import Tensor, nn
 from toolkit.io import model_files
 from toolkit.motion.tensors import summary
 
+COUNTED = 2**24  # Adam's own number of steps, a float32, grows no further
 
 @dataclass(frozen=True, eq=False)
 class Checkpoint:
@@ -24,6 +25,7 @@ class Checkpoint:
     networks: dict[str, nn.Module]  # what is trained
     adams: dict[str, torch.optim.Adam]  # the optimisers
     config: dict[str, Any]  # settings that must not change when the run is resumed, for JSON
+    kinds: dict[str, Any]  # an example of the numbers, among them step and elapsed
     __repr__ = summary
 
     def save(self, path: str | os.PathLike, numbers: dict[str, Any],
@@ -58,14 +60,23 @@ class Checkpoint:
             raise ValueError(f"{path}: the run to resume had other data (their means and "
                              "deviations differ)")
         with model_files.intact(path, "the checkpoint"):
+            # everything is checked before anything is changed
+            own = {name: starting(tensors, f"{name}.") for name in self.networks}
             for name, network in self.networks.items():
-                own = model_files.starting(tensors, f"{name}.")
-                model_files.fit(own, network.state_dict())
-                network.load_state_dict(own)
+                check(own[name], network.state_dict())
+            moments = {name: _moments(starting(tensors, f"adam.{name}."), adam)
+                       for name, adam in self.adams.items()}
+            model_files.alike(numbers, self.kinds)
+            made = max((int(kinds["step"]) for of in moments.values() for kinds in of.values()),
+                       default=0)
+            if min(numbers["step"], COUNTED) != made or numbers["elapsed"] < 0:
+                raise ValueError(f"its step is {numbers['step']} after {numbers['elapsed']} s, and "
+                                 f"the moments of Adam are those of step {made}")
+            for name, network in self.networks.items():
+                network.load_state_dict(own[name])
             for name, adam in self.adams.items():
-                moments = _moments(model_files.starting(tensors, f"adam.{name}."), adam)
                 groups = adam.state_dict()["param_groups"]
-                adam.load_state_dict({"state": moments, "param_groups": groups})
+                adam.load_state_dict({"state": moments[name], "param_groups": groups})
         return numbers, tensors
 
     def _same_data(self, tensors: dict[str, Tensor], name: str) -> bool:
@@ -75,6 +86,14 @@ class Checkpoint:
             if stored.shape != buffer.shape or not torch.allclose(stored, buffer.cpu()):
                 return False
         return True
+
+
+def check(tensors: dict[str, Tensor], expected: dict[str, Tensor]) -> None:
+    """ValueError if names, shapes or dtypes differ from the expected."""
+    kinds = [{name: [*value.shape, value.dtype] for name, value in part.items()}
+             for part in (expected, tensors)]
+    if why := model_files.difference(*kinds):
+        raise ValueError(f"it differs in tensor {why}")
 
 
 def _moments(tensors: dict[str, Tensor], adam: torch.optim.Adam) -> dict[int, dict[str, Tensor]]:
@@ -90,8 +109,18 @@ def _moments(tensors: dict[str, Tensor], adam: torch.optim.Adam) -> dict[int, di
     for i, parameter in enumerate(parameters):
         expected |= {f"{i}.step": torch.zeros(()), f"{i}.exp_avg": parameter,
                      f"{i}.exp_avg_sq": parameter}
-    model_files.fit(tensors, expected)
-    return {i: model_files.starting(tensors, f"{i}.") for i in range(len(parameters))}
+    check(tensors, expected)
+    moments = {i: starting(tensors, f"{i}.") for i in range(len(parameters))}
+    for i, kinds in moments.items():
+        if kinds["step"] < 1 or bool((kinds["exp_avg_sq"] < 0).any()):
+            raise ValueError(f"Adam's parameter {i} has a step below 1 or a negative square")
+    return moments
+
+
+def starting(tensors: dict[str, Tensor], start: str) -> dict[str, Tensor]:
+    """The tensors whose names begin with ``start``, by the rest of their names."""
+    return {name.removeprefix(start): value for name, value in tensors.items()
+            if name.startswith(start)}
 
 
 class Saver(contextlib.AbstractContextManager):

@@ -26,7 +26,7 @@ from toolkit.networks import Predictor
 from toolkit.networks.adapters import StyleTable
 from toolkit.networks.bank import StyleBank
 from toolkit.training import distributed
-from toolkit.training.checkpoint import Checkpoint, Saver
+from toolkit.training.checkpoint import Checkpoint, Saver, check, starting
 from toolkit.training.distributed import Alone, Objective
 from toolkit.training.loss import baselines, evaluate, make_bank, observed, refit
 from toolkit.training.minibatches import DROPOUT, INIT, Minibatches
@@ -200,14 +200,17 @@ def restore(path: str | os.PathLike, model: Predictor, adam: torch.optim.Adam,
         raise ValueError(f"{path}: the layout is not the expected one: {why}")
     numbers, tensors = _checkpoint(model, adam, config).load(path)
     with model_files.intact(path, "the checkpoint"):
-        state = State(**numbers, best=model_files.starting(tensors, "best."))
+        state = State(**numbers, best=starting(tensors, "best."))
         if state.best:
-            model_files.fit(state.best, model.state_dict())
+            check(state.best, model.state_dict())
+        state.stalled  # noqa: B018 (all rows have their errors)
     return state
 
 
 def _checkpoint(model: Predictor, adam: torch.optim.Adam, config: Config) -> Checkpoint:
-    return Checkpoint("checkpoint", {"model": model}, {"model": adam}, config.fixed())
+    kinds = {"step": 0, "elapsed": 0.0, "processor": 0.0, "losses": {"": 0.0},
+             "history": [{"": None}]}
+    return Checkpoint("checkpoint", {"model": model}, {"model": adam}, config.fixed(), kinds)
 
 
 def optimiser(model: Predictor, config: Config) -> torch.optim.Adam:

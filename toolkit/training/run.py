@@ -24,6 +24,7 @@ WHOLE = "steps", "batch", "clips_per_batch", "refit", "seed", "evaluate_every", 
 PROCEDURAL = Path(__file__).with_name("pretrained.safetensors")
 RECORDED = Path(__file__).parents[2] / "examples" / "models" / "recorded.safetensors"
 TIMES = "elapsed", "processor"  # measured times in a history; two runs never have the same
+KINDS = {"history": [{"": None}], "held_out": {"": {"": None}}, "baselines": {"": {"": None}}}
 #: Learning rate of the style modulation / other rates in `Config.quick`. High rates destroy FiLM's
 #: convolutions. Tables of styles need high rates, one-hot the highest, because a row is trained
 #: only by the minibatches of its own style.
@@ -214,6 +215,7 @@ def load(path: str | os.PathLike) -> Run:
         if bank.vectors.shape[1] != model.style_size:
             raise ValueError(f"style vectors [{bank.vectors.shape[1]}] of a model that takes "
                              f"[{model.style_size}]")
+        model_files.alike(parts["run"], KINDS)
         config = parts["run"].pop("config")
         config = None if config is None else Config.from_json(config)
         run = Run(model, bank, config, **parts["run"])
