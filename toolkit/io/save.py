@@ -57,7 +57,7 @@ def check(path: str | os.PathLike, among: Sequence[str] | None = None,
 
 
 def figure_of(given: Any) -> Any:
-    """The character in a file (`tk.Character`); a character or None as it is."""
+    """The character (`toolkit.extra.characters`) in a file; a character or None as it is."""
     if isinstance(given, str | os.PathLike):
         return registry.find("character.load").load(given)
     return given
