@@ -87,7 +87,7 @@ def test_two_bone_against_bisection(distance):
     torch.testing.assert_close(knee, middle, atol=1e-3 if reached > 0.84 else 1e-7, rtol=0)
 
 
-def held_slowly(toe, drift, before, predicted, other, contact, inwards, seconds):
+def held_slowly(toe, drift, before, predicted, other, contact, inwards, both, seconds):
     """`ik.foot_lock` of one toe."""
     offset, behind = toe - before, toe - predicted
     if contact > 0.5:
@@ -96,6 +96,8 @@ def held_slowly(toe, drift, before, predicted, other, contact, inwards, seconds)
         now, drift = spring(offset, drift, 10.0, seconds)
     limit = max(0.08, float((other - predicted) @ inwards) / 4)
     now = now - max(0.0, float(now @ inwards) - limit) * inwards
+    if both:  # 4 cm/s towards a ground at 2 cm
+        now[1] += min(max(0.02 - float((predicted + now)[1]), -0.04 * seconds), 0.04 * seconds)
     if contact > 0.5:
         drift = (now - offset) / seconds
     return predicted + now, drift
@@ -110,14 +112,16 @@ def test_every_toe_of_a_crowd_is_held_as_in_a_slow_loop():
     drift = torch.randn(crowd, 2, 3, **shape)
     contacts = torch.rand(crowd, 2, **shape)
     contacts[0, 0], contacts[-1, 1] = 0.5, 0.51  # as likely as not is no contact
+    contacts[::3] = 1.0
+    toes[::6, 0, 1] = 0.0201  # nearer than one frame goes
     left = R.normalize(torch.randn(crowd, 2, **shape))
-    found, speeds = ik.foot_lock(toes, drift, before, predicted, contacts, left, 0.02)
+    found, speeds = ik.foot_lock(toes, drift, before, predicted, contacts, left, 0.02, 0.02)
     for c in range(crowd):
         for foot, sign in enumerate((1, -1)):
             own = (x[c, foot] for x in (toes, drift, before, predicted))
             inwards = sign * torch.stack((left[c, 0], 0 * left[c, 0], left[c, 1]))
             toe, speed = held_slowly(
-                *own, predicted[c, 1 - foot], float(contacts[c, foot]), inwards, 0.02
+                *own, predicted[c, 1 - foot], float(contacts[c, foot]), inwards, c % 3 == 0, 0.02
             )
             torch.testing.assert_close(found[c, foot], toe, atol=1e-12, rtol=0)
             torch.testing.assert_close(speeds[c, foot], speed, atol=1e-9, rtol=0)

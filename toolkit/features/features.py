@@ -19,6 +19,7 @@ from toolkit.features.layout import CHANNELS, Layout, pack_joints, split_joints
 from toolkit.features.statistics import Normaliser, Rows
 from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip, RootFrames, contacts, root_frames, rotations as R, trajectory
+from toolkit.motion.skeleton import FEET
 from toolkit.motion.tensors import few, shown, summary
 
 KINDS = ("inputs", "phases", "outputs", "clips")  # each has a normaliser
@@ -211,6 +212,16 @@ class Features:
         if self.statistics:
             return self.statistics
         return {kind: Normaliser.of(*getattr(self, kind).values()) for kind in KINDS}
+
+    def ground(self) -> float:
+        """Median height of a toe in contact, metres, over every tenth row; 2 cm without toes."""
+        layout, roles, heights = self.layout, self.layout.skeleton.roles, []
+        toes = [layout.names.index(roles[toe]) for side in FEET if (toe := f"{side}_toe") in roles]
+        for rows in self.outputs.values():
+            out = layout.unpack_output(rows[torch.arange(0, len(rows), 10)])
+            height = split_joints(out["joints"])["position"][:, toes, 1]
+            heights.append(height[out["contacts"][:, :len(toes)] > 0.5])
+        return float(torch.cat(heights).median().nan_to_num(0.02))
 
 
 def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid",

@@ -23,6 +23,8 @@ RETURN = 10.0  # per second: decay of a released toe's offset from its predictio
 ROOM = 0.035  # of a leg's length: over twice this, hips begin to sink gently
 DEEPEST = 0.115  # of a leg's length: hips sink at most so far
 FALL = 0.6  # m/s, at which they sink at most
+BOTH = 0.99  # contact of both feet from which the body stands on both
+SETTLE = 0.04  # m/s, at which toes of a body on both feet go to the height of standing toes
 
 
 def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | None = None, *,
@@ -80,7 +82,7 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
 
 
 def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, contacts: Tensor,
-              left: Tensor, seconds: float) -> tuple[Tensor, Tensor]:
+              left: Tensor, ground: float, seconds: float) -> tuple[Tensor, Tensor]:
     """Lock toes in contact where they landed (foot-contact IK, Mason et al. 2022, section 4.4).
 
     The paper does not say how its toes get their targets; this rule is ours. A blend of the last
@@ -89,7 +91,9 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, co
     half. After that, its offset from the prediction decays like a critically damped spring that
     starts at rest, so that the toe does not jump. The offset of a toe is at most `SLACK`, and its
     part towards the other toe at most a quarter of their distance or `NEAR`, so that the legs do
-    not cross when a character turns on the spot.
+    not cross when a character turns on the spot. Toes land at the heights that the network
+    predicts, one up to 3 cm over the other. While both are in contact, their heights go to the
+    ground.
 
     Parameters
     ----------
@@ -98,6 +102,7 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, co
     before, predicted : Tensor [..., 2, 3], the network's toes in the frame before and in this one
     contacts : Tensor [..., 2], in this frame, in [0, 1]
     left : Tensor [..., 2], unit vector (x, z) to the character's left
+    ground : height of a standing toe, metres
     seconds : between the frames
 
     Returns
@@ -118,6 +123,12 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, co
     apart = ((predicted.flip(-2) - predicted) * inwards).sum(-1, keepdim=True)
     crossing = (now * inwards).sum(-1, keepdim=True) - (apart / 4).clamp_min(NEAR)
     now = now - crossing.clamp_min(0.0) * inwards
+
+    # Both feet on the ground: toes that are too high or too low settle.
+    both = (contacts.amin(-1, keepdim=True) > BOTH)[..., None]
+    most = SETTLE * seconds
+    down = (ground - predicted - now)[..., 1:2].clamp(-most, most) * both
+    now = now + torch.nn.functional.pad(down, (1, 1))
     return predicted + now, torch.where(held, (now - offset) / seconds, slower)
 
 

@@ -23,7 +23,7 @@ from toolkit.motion.tensors import as_tensor
 from toolkit.networks import phase
 
 STYLES = 100_000  # most styles of a model
-FACTORS = "life", "lift"  # settings of the runtime that a file keeps
+FACTORS = "life", "lift", "ground"  # settings of the runtime that a file keeps
 
 
 @dataclass(frozen=True)
@@ -96,6 +96,7 @@ class Predictor(nn.Module):
     name = ""  # under which it is registered
     life = 0.0  # how much the style wanders in `toolkit.runtime.rollout`, see `runtime.life.alive`
     lift = 1.0  # factor on the height of a toe in the air, in the pose that is fed back
+    ground = 0.02  # height of a standing toe, metres
 
     def __init__(self, layout: Layout, n_styles: int, sizes: Sizes):
         super().__init__()

@@ -26,7 +26,7 @@ STANDS = 0.9  # share of standing (`steering.standing`) from which feet stay on 
 # Metres (ours): a frame corrects the integrated position of a joint by at most so much. Not of a
 # leg: the published network then glides. With 1 cm, arms lag behind a hop, and HopLeft glides.
 JUMP = 0.02
-GROUND = 0.02  # metres: height of a standing toe
+GROUND = 0.02  # metres: height of a standing toe, of models that have no ``ground``
 CORRECTION = 0.85  # share of the network's prediction in the next frame's trajectory
 
 
@@ -92,7 +92,9 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
         drift=look.new_zeros(len(look), 2, 3),
         drop=torch.zeros_like(look),
     )
-    state = dataclasses.replace(state, toes=predicted_toes(layout, state))
+    toes = predicted_toes(layout, state)
+    toes[..., 1] = getattr(model, "ground", GROUND)
+    state = dataclasses.replace(state, toes=toes)
     if frames := getattr(model, "memory", 0):  # it has stood there before
         x = _input_frame(layout, state, state.future)
         return Remembering(**vars(state), memory=x[:, None].expand(-1, frames, -1))
@@ -129,7 +131,7 @@ def step(model, state: CharacterState, command: Command) -> CharacterState:
     a leg in contact is only integrated, other joints are corrected by at most `JUMP`, and toes in
     the air are raised by the model's ``lift``. For the phase see `toolkit.networks.phase.advance`.
     """
-    return planted(model.layout, state, predicted(model, state, command))
+    return planted(model, state, predicted(model, state, command))
 
 
 def predicted(model, state: CharacterState, command: Command) -> CharacterState:
@@ -182,9 +184,9 @@ def predicted(model, state: CharacterState, command: Command) -> CharacterState:
     # A model may have a factor `lift` on the height of toes in the air.
     swing = getattr(model, "lift", 1.0) - 1.0
     toes = leg_joints(layout)[2::3]
-    height = position[:, toes, 1]
+    height, ground = position[:, toes, 1], getattr(model, "ground", GROUND)
     in_the_air = 1.0 - (2 * contacts).clamp_max(1.0)
-    position[:, toes, 1] += swing * in_the_air * (height - GROUND).clamp_min(0.0)
+    position[:, toes, 1] += swing * in_the_air * (height - ground).clamp_min(0.0)
 
     # The same pose, seen from the new root.
     joints = to_frame(_orthonormal(pack_joints(**now | {"position": position})), root, new_root)
@@ -208,11 +210,14 @@ def leg_joints(layout: Layout) -> list[int]:
     return [layout.names.index(layout.skeleton.roles[role]) for role in roles]
 
 
-def planted(layout: Layout, state: CharacterState, new: CharacterState) -> CharacterState:
+def planted(model, state: CharacterState, new: CharacterState) -> CharacterState:
     """The frame ``new``, which follows ``state``, after foot lock and foot IK."""
+    layout, ground = model.layout, getattr(model, "ground", GROUND)
     before, toes = (predicted_toes(layout, s) for s in (state, new))
     left = torch.stack((new.root[:, 3], -new.root[:, 2]), -1)
-    toes, drift = foot_lock(state.toes, state.drift, before, toes, new.contacts, left, 1 / FPS)
+    toes, drift = foot_lock(
+        state.toes, state.drift, before, toes, new.contacts, left, ground, 1 / FPS
+    )
     return _with_legs(layout, dataclasses.replace(new, toes=toes, drift=drift))
 
 

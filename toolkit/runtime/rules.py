@@ -19,7 +19,7 @@ Rules = namedtuple("Rules", """
     fps gain fastest spin correction jump lift ground
     proportional integral max_drive stand_still slow low sideways sideways_sum forget asked
     moves standing starting may_stand aligned stands
-    slack near let_go pull soft swing room deepest fall""")
+    slack near let_go pull soft swing room deepest fall both settle""")
 Rules.__doc__ = "Columns of x and z, joints of the legs, constants of the runtime and of foot IK."
 
 
@@ -48,7 +48,7 @@ def rules_of(model) -> Rules:
         correction=frame.CORRECTION,
         jump=frame.JUMP,
         lift=getattr(model, "lift", 1.0) - 1.0,
-        ground=frame.GROUND,
+        ground=getattr(model, "ground", frame.GROUND),
         proportional=steering.PROPORTIONAL,
         integral=steering.INTEGRAL,
         max_drive=steering.MAX_DRIVE,
@@ -74,6 +74,8 @@ def rules_of(model) -> Rules:
         room=ik.ROOM,
         deepest=ik.DEEPEST,
         fall=ik.FALL,
+        both=ik.BOTH,
+        settle=ik.SETTLE / trajectory.FPS,
     )
 
 

@@ -104,6 +104,7 @@ def fit(data: Features, config: Config | None = None,
     with seeded(fabric.device, config.seed, INIT):
         model = networks.build(config.model, data.layout, len(styles), config.sizes)
     model.normalise(networks.normalisers(model.layout, train))
+    model.ground = train.ground()
     model = model.to(fabric.device)
     batches = Minibatches(train, config.batch, config.clips_per_batch, config.seed,
                           config.pose_mixup, model.memory)

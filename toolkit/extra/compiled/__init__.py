@@ -42,7 +42,7 @@ class CompiledModel:
             raise ValueError("a calibrated model cannot be compiled; set model.calibrated = False")
         self.layout: Layout = model.layout
         self.name, self.sizes, self.style_size = model.name, model.sizes, model.style_size
-        self.life = model.life
+        self.life, self.ground = model.life, model.ground
         for buffer in ("phases_mean", "phases_std", "outputs_mean"):  # `toolkit.runtime.start`
             setattr(self, buffer, getattr(model, buffer).clone())
         self.weights = network.Weights.of(model)

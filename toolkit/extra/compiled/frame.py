@@ -170,6 +170,7 @@ def _foot_lock(toes, drift, before, predicted, contacts, left, rules, new_toes, 
     """`toolkit.motion.ik.foot_lock` of one character."""
     seconds = 1 / rules.fps
     fade = math.exp(-rules.let_go * seconds)
+    most = rules.settle if min(contacts[0], contacts[1]) > rules.both else 0.0
     for side in range(2):
         toe, there = ik.triple(toes[side]), ik.triple(predicted[side])
         speed = ik.triple(drift[side])
@@ -187,6 +188,9 @@ def _foot_lock(toes, drift, before, predicted, contacts, left, rules, new_toes, 
         apart = ik.dot(ik.plus(ik.triple(predicted[1 - side]), there, -1.0), inwards)
         over = max(ik.dot(now, inwards) - max(apart / 4, rules.near), 0.0)
         now = ik.plus(now, inwards, -over)
+        # toes of a body on both feet go to the ground
+        down = min(max(rules.ground - there[1] - now[1], -most), most)
+        now = now[0], now[1] + down, now[2]
         if held:
             slower = ik.times(ik.plus(now, offset, -1.0), 1 / seconds)
         else:

@@ -50,6 +50,7 @@ class Matching(Predictor):
         super().__init__(data.layout, len(data.styles), Sizes())
         self.style_size = len(data.styles)
         self.normalise(phase.normalisers(self.layout, data))
+        self.ground = data.ground()
         self.columns, scale = compared(self.layout, self.inputs_std)
         inputs, outputs = self.normaliser("inputs"), self.normaliser("outputs")
         rows, frames, numbers, follows = [], [], [], []
@@ -115,7 +116,7 @@ class Playing(CharacterState):
 def _(model: Matching, state: CharacterState, command: Command) -> Playing:
     """The next frame of the data that are played."""
     player = _Player(model, state)
-    new = one_frame.planted(model.layout, state, one_frame.predicted(player, state, command))
+    new = one_frame.planted(model, state, one_frame.predicted(player, state, command))
     own = {field.name: getattr(new, field.name) for field in dataclasses.fields(CharacterState)}
     return Playing(**own, row=player.row, due=player.due, offset=player.offset, speed=player.speed)
 

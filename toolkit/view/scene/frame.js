@@ -122,6 +122,7 @@ function toes({ history, joints }, rules) {
 // ik.py's foot_lock
 function footLock(old, before, predicted, left, rules, next) {
   const seconds = 1 / rules.fps, fade = Math.exp(-rules.let_go * seconds);
+  const most = Math.min(...next.contacts) > rules.both ? rules.settle : 0;
   for (const side of [0, 1]) {
     const there = predicted[side], other = predicted[1 - side], inwards = left.map((v) => (side ? -v : v));
     const offset = there.map((_, i) => old.toes[3 * side + i] - before[side][i]);
@@ -135,7 +136,8 @@ function footLock(old, before, predicted, left, rules, next) {
     } else now = offset.map((v, i) => fade * (v + push[i] * seconds));
     const apart = (other[0] - there[0]) * inwards[0] + (other[2] - there[2]) * inwards[1];
     const over = Math.max(now[0] * inwards[0] + now[2] * inwards[1] - Math.max(apart / 4, rules.near), 0);
-    now = [now[0] - over * inwards[0], now[1], now[2] - over * inwards[1]];
+    const down = clamp(rules.ground - there[1] - now[1], -most, most);
+    now = [now[0] - over * inwards[0], now[1] + down, now[2] - over * inwards[1]];
     for (const i of [0, 1, 2])
       next.drift[3 * side + i] = held ? (now[i] - offset[i]) / seconds
         : fade * (old.drift[3 * side + i] - rules.let_go * push[i] * seconds);
