@@ -156,7 +156,7 @@ class Plan:
         # the foot is under the hips in the middle of its stance; in a sidestep the feet stay apart
         x, z, facing = (at(column) for column in self.root.T)
         stride = np.concatenate((stride[:1], stride)) / FPS
-        apart = np.maximum(style.width / 2, 0.06 + np.abs(at(self.sideways)) * stride / 4)
+        apart = np.maximum(style.width / 2, 0.1 + np.abs(at(self.sideways)) * stride / 4)
         unrest = 0.03 * style.noise + 0.06 * style.stagger
         scatter = unrest * self.rng.standard_normal((3, len(x)))
         speed = at(self.speed)
@@ -225,14 +225,17 @@ class Foot:
         landing = settled[np.minimum(before + 1, len(begin) - 1)]
         u = np.clip((t - end[before]) / (landing - end[before]), 0, 1)
         u = np.where(here == 0, 1.0, u)
-        ease = u**3 * (10 - 15 * u + 6 * u * u)
+        # the toe arrives before it is down, so that it does not slide
+        arrived = np.minimum(u / (0.94 + 0.03 * run[here]), 1.0)
+        ease = arrived**3 * (10 - 15 * arrived + 6 * arrived**2)
         place = prints[before] + (prints[here] - prints[before]) * ease[:, None]
         place[here == 0] = prints[0]
 
         # pitch, positive with toes up: heel strike, flat, push-off; backwards the toes land first
         # and the heel last
         forwards, backwards = np.maximum(along, 0), np.maximum(-along, 0)
-        strike = size * (leg.heel_strike * forwards * (1 - 0.9 * run) - 14 * backwards)
+        toes_first = max(14 - leg.tiptoe / 3, 0)
+        strike = size * (leg.heel_strike * forwards * (1 - 0.9 * run) - toes_first * backwards)
         share = 0.35 + 0.65 * forwards - 0.2 * backwards
         push = leg.toe_off * size**0.7 * share * (1 + 0.25 * run)
         lift_off = -0.5 * push * (1 - backwards)
@@ -243,7 +246,7 @@ class Foot:
         roll = 0.1 + 0.18 * np.minimum(np.abs(strike) / 18, 1)
         knots = (begin, begin + roll * stance, end - 0.22 * stance, end, end + 0.25 * swing,
                  end + 0.52 * swing, end + 0.92 * swing)
-        angles = (strike + flat, flat, flat, np.minimum(flat, 0) * 0.5 + lift_off,
+        angles = (strike + flat, flat, flat, np.minimum(flat * 0.5 + lift_off, flat),
                   flat * 0.2 - push, flat * 0.7 - 0.65 * push, flat + nexts)
         self.pitch = np.radians(smooth(_curve(t, knots, np.stack(angles, 1)), 2.0))
 
@@ -258,10 +261,10 @@ class Foot:
             w = u ** (math.log(0.5) / math.log(peak))
             return 16 * w**2 * (1 - w) ** 2
 
-        height = (leg.lift * (1 - 0.45 * run) + 0.1 * run) * (0.7 + 0.3 * size)
+        height = (leg.lift * (1 - 0.6 * run) + 0.1 * run) * (0.7 + 0.3 * size)
         rise = height[here] * bump(0.5)
         out = sign * leg.circle * size[here] * bump(0.5)
-        self.kick = (size * (1 - 0.4 * run))[here] * bump(0.72)
+        self.kick = (size * (1 - 0.55 * run))[here] * bump(0.72)
 
         # with the toes up the foot stands on its heel, and the toe joint rotates about the heel
         up = np.maximum(self.pitch, 0)
