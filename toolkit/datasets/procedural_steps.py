@@ -225,9 +225,7 @@ class Foot:
         landing = settled[np.minimum(before + 1, len(begin) - 1)]
         u = np.clip((t - end[before]) / (landing - end[before]), 0, 1)
         u = np.where(here == 0, 1.0, u)
-        # the toe arrives before it is down, so that it does not slide
-        arrived = np.minimum(u / (0.94 + 0.03 * run[here]), 1.0)
-        ease = arrived**3 * (10 - 15 * arrived + 6 * arrived**2)
+        ease = u**3 * (10 - 15 * u + 6 * u * u)
         place = prints[before] + (prints[here] - prints[before]) * ease[:, None]
         place[here == 0] = prints[0]
 
