@@ -156,7 +156,7 @@ class Plan:
         # the foot is under the hips in the middle of its stance; in a sidestep the feet stay apart
         x, z, facing = (at(column) for column in self.root.T)
         stride = np.concatenate((stride[:1], stride)) / FPS
-        apart = np.maximum(style.width / 2, 0.1 + np.abs(at(self.sideways)) * stride / 4)
+        apart = np.maximum(style.width / 2, 0.06 + np.abs(at(self.sideways)) * stride / 3)
         unrest = 0.03 * style.noise + 0.06 * style.stagger
         scatter = unrest * self.rng.standard_normal((3, len(x)))
         speed = at(self.speed)

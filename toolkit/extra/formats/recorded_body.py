@@ -52,12 +52,10 @@ class RecordedBody:
                         recording.offsets[order], {}, ())
         last = len(recording.rotations) - 1
         frames = torch.linspace(0, last, min(last + 1, SAMPLES)).long()
-        found = []
-        for at in (frames, (frames + 1).clamp_max(last)):
-            turns = recording.rotations[at][:, order].double()
-            places = forward_kinematics(part, turns, recording.root_positions[at])[1].numpy()
-            found.append({j: places[:, place[j]] for j in order})
-        return found
+        at = torch.cat((frames, (frames + 1).clamp_max(last)))
+        turns = recording.rotations[at][:, order].double()
+        places = forward_kinematics(part, turns, recording.root_positions[at])[1].numpy()
+        return [{j: half[:, place[j]] for j in order} for half in np.split(places, 2)]
 
     @property
     def points(self) -> dict[int, np.ndarray]:
