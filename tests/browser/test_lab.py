@@ -119,7 +119,7 @@ def test_widgets_in_jupyterlab(browser, lab, tmp_path):
     notebook = nbformat.v4.new_notebook(cells=cells, metadata={"kernelspec": kernel})
     nbformat.write(notebook, tmp_path / "widgets.ipynb")
     errors = []
-    page = browser.new_page(viewport={"width": 1360, "height": 1100})
+    page = browser.new_page(viewport={"width": 1200, "height": 760})
     page.set_default_timeout(150_000)
     page.on("console", lambda m: errors.append(m.text) if m.type == "error" else None)
     page.on("pageerror", lambda error: errors.append(str(error)))
