@@ -16,6 +16,9 @@ endif
 
 OPENGL := libegl1 libgl1-mesa-dri
 
+# Python compiles a module once, not in each of the hundred processes that the tests start.
+unexport PYTHONDONTWRITEBYTECODE
+
 .PHONY: env opengl chromium demo test types cases coverage lab docs wheel clean
 
 env: $(VENV)/.complete

@@ -10,7 +10,6 @@ from pathlib import Path
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from scipy.signal import hilbert
 
 from toolkit.io.files import atomic_write
 from toolkit.io.save import figure_of
@@ -112,7 +111,8 @@ def instants(clip: Clip, count: int) -> np.ndarray:
     curve = R.rotate(R.inverse(root_frames(clip).rotations), left - right)[:, 2].double().numpy()
     if curve.std() < STEP:
         return even
-    phase = np.unwrap(np.angle(hilbert(curve - curve.mean())))
+    ahead = np.fft.fftfreq(len(curve)) > 0
+    phase = np.unwrap(np.angle(np.fft.ifft(ahead * np.fft.fft(curve))))
     strides = np.maximum.accumulate(phase) / (2 * np.pi)
     steps = int((strides[-1] - strides[0]) * count / max(count - 1, 1))  # in parts of a stride
     while steps > 1 and math.gcd(steps, count) > 1:
