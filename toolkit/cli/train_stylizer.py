@@ -1,5 +1,6 @@
 """The verb `train-stylizer`: train the motion stylizer of Park et al. 2021."""
 
+import dataclasses
 from pathlib import Path
 from typing import Annotated
 
@@ -24,7 +25,8 @@ def train_stylizer(
     gaits: Selection = None,
     clip_seconds: ClipSeconds = None,
     losses: Annotated[str, typer.Option(
-        help="Comma-separated; Table 1 leaves out ds, then sty.")] = ",".join(LOSSES),
+        help="Comma-separated, also with weights, such as ds=3; Table 1 leaves out ds, then "
+             "sty.")] = ",".join(LOSSES),
     iterations: Annotated[int | None, typer.Option(
         help="By default the paper's 100,000; 2,000 with --small.")] = None,
     minutes: Annotated[float | None, typer.Option(
@@ -48,8 +50,14 @@ def train_stylizer(
     budget: dict[str, float] = {} if iterations is None else {"iterations": iterations}
     if minutes is not None:
         budget = {"iterations": iterations or 10**9, "seconds": 60 * minutes}
+    chosen = {name: weight for name, _, weight in (x.partition("=") for x in losses.split(","))}
     config = (Config.quick if small else Config)(
-        losses=tuple(losses.split(",")), seed=seed, device=device, **budget)
+        losses=tuple(chosen), seed=seed, device=device, **budget)
+    try:
+        weights = {name: float(weight) for name, weight in chosen.items() if weight}
+    except ValueError:
+        raise ValueError(f"--losses: a weight is a number, as in ds=3; got {losses}") from None
+    config = dataclasses.replace(config, weights=config.weights | weights)
     options = {} if clip_seconds is None else {"seconds": clip_seconds}
     motions = build(datasets.load(data, root, styles, gaits, **options), mirror=mirror)
     say(f"{len(motions):,} windows of {', '.join(motions.domains)}")
