@@ -171,12 +171,11 @@ def test_a_page_with_planted_html_shows_it_as_text(visit, tmp_path, clip, write)
 
 @pytest.fixture
 def shown(visit, tmp_path):
-    """``shown(body)``: a page of the course with plotly's code."""
+    """``shown(body)``: a page of the course."""
 
     def open_(html: str):
         path = tmp_path / "page.html"
-        text = f"<!doctype html><meta charset=utf-8><body>{lessons.charts()}{html}"
-        path.write_text(text, encoding="utf-8")
+        path.write_text(f"<!doctype html><meta charset=utf-8><body>{html}", encoding="utf-8")
         return visit(path)
 
     return open_
@@ -222,7 +221,7 @@ COLLIDE = """div => {
 
 def test_each_slider_moves_its_figure_and_no_text_collides(shown):
     drawn = figures()
-    page = shown("".join(lessons.chart(figure) for figure in drawn))
+    page = shown(lessons.charts() + "".join(map(lessons.chart, drawn)))
     for i in range(len(drawn)):
         plot = page.locator(".plotly-graph-div").nth(i)
         plot.scroll_into_view_if_needed()
