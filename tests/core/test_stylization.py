@@ -545,6 +545,8 @@ def test_the_command_line_trains_and_restyles(tmp_path, walks, model, capsys):
     train += f" --no-mirror --out {tmp_path}/new/run.safetensors --small --iterations 1"
     assert main(train.split()) == 0
     assert {p.name for p in (tmp_path / "new").iterdir()} == {"run.safetensors"}
+    assert main([*train.split(), "--losses", "adv,ds=x"]) == 2
+    assert "a weight is a number, as in ds=3; got adv,ds=x" in capsys.readouterr().err
     made = st.Stylizer.load(tmp_path / "new" / "run.safetensors")
     assert made.domains == ("Neutral", "Zombie")
 
