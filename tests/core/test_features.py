@@ -188,6 +188,13 @@ def test_a_style_with_short_clips_only_has_style_clips_that_repeat(two_walks, wa
     assert len(both.clips["Neutral"]) == len(data.clips["Neutral"]) == 2
 
 
+def test_the_ground_is_where_toes_in_contact_are_also_below_zero(two_walks):
+    for height in (0.0, -0.3):
+        clips = [clip.moved(shift=(0.0, height, 0.0)) for clip in two_walks]
+        data = features.build(clips, source="contact")
+        assert data.ground() == pytest.approx(0.021 + height, abs=1e-3)
+
+
 def test_normalisers_are_over_all_styles(two_walks):
     clips = [two_walks[0], two_walks[1].replace(style="Twin")]
     data = features.build(clips, source="contact")

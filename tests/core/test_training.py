@@ -508,10 +508,11 @@ def test_a_checkpoint_that_does_not_fit_the_run_is_refused(tmp_path, parts, name
 def test_a_saved_run_is_whole(tmp_path, straight, monkeypatch):
     path = tmp_path / "run.safetensors"
     monkeypatch.setattr(straight.model, "lift", 1.14)
+    monkeypatch.setattr(straight.model, "ground", -0.3)  # of data whose floor is below zero
     straight.save(path)
     again = training.load(path)
     assert same_weights(straight.model, again.model)
-    assert (again.model.lift, again.model.life) == (1.14, 0.0)
+    assert (again.model.lift, again.model.life, again.model.ground) == (1.14, 0.0, -0.3)
     assert (again.config, course(again)) == (straight.config, course(straight))
     assert again.table() == straight.table()
     assert torch.equal(StyleBank.load(path)["style1"], straight.bank["style1"])

@@ -221,7 +221,7 @@ class Features:
             out = layout.unpack_output(rows[torch.arange(0, len(rows), 10)])
             height = split_joints(out["joints"])["position"][:, toes, 1]
             heights.append(height[out["contacts"][:, :len(toes)] > 0.5])
-        return float(torch.cat(heights).median().nan_to_num(0.02))
+        return float(torch.cat(heights).median().nan_to_num(0.02).clamp(-2, 2))
 
 
 def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid",

@@ -250,8 +250,8 @@ class Predictor(nn.Module):
             stored = Layout.from_json(d["layout"])
             calibrated, whole = bool(d.get("calibrated", False)), bool(d.get("generator", True))
             factors = {name: float(d[name]) for name in FACTORS if name in d}
-            if not all(0 <= value <= 2 for value in factors.values()):
-                raise ValueError(f"{' and '.join(FACTORS)} must be from 0 to 2")
+            if not all(-2 * (name == "ground") <= value <= 2 for name, value in factors.items()):
+                raise ValueError(f"{', '.join(FACTORS)} must be from 0 to 2, ground from -2")
         if name not in registry.names("model"):
             module = str(d.get("module", "unknown"))
             raise ValueError(f"{path}: it holds a model {name!r}, which is not registered; import "
