@@ -48,50 +48,15 @@ def poses(
                  name=str(k))
         for k, pose in enumerate(steps.values())
     ]
-    _standing(figure, torch.stack([plain, *steps.values()]), 2)
+    heights = torch.stack([plain, *steps.values()])[..., 1]
+    low, high = float(heights.min()) - 0.1, float(heights.max()) + 0.1
+    for column, axis in enumerate(("x", "x2"), 1):
+        figure.update_yaxes(range=[low, high], scaleanchor=axis, row=1, col=column)
+    figure.update_xaxes(range=[-1, 1])
     return finish(
         figure, title, 500, {}, {}, showlegend=False, margin_t=84,
         sliders=[slider(list(steps), "")]
     )
-
-
-def beside(
-    parents: Sequence[int], data: Tensor, guesses: Mapping[str, Tensor], labels: Sequence[str],
-    title: str
-) -> go.Figure:
-    """Predicted motions beside each other, over the data in grey, seen from the side.
-
-    A slider goes through the T moments of ``data [T, J, 3]`` and of each guess; ``labels`` are
-    theirs.
-    """
-    figure = make_subplots(1, len(guesses), subplot_titles=list(guesses), shared_yaxes=True)
-    for column, guess in enumerate(guesses.values(), 1):
-        for pose, line in ((data[0], GREY), (guess[0], {"color": OUTPUT, "width": 4})):
-            figure.add_scatter(
-                **bones(parents, pose, (2, 1)), mode="lines", line=line, row=1, col=column
-            )
-    figure.frames = [
-        go.Frame(name=str(k), data=[
-            bones(parents, motion[k], (2, 1)) for guess in guesses.values()
-            for motion in (data, guess)
-        ])
-        for k in range(len(data))
-    ]
-    _standing(figure, data, len(guesses))
-    return finish(
-        figure, title, 500, {}, {}, showlegend=False, margin_t=84,
-        sliders=[slider(list(labels), "")]
-    )
-
-
-def _standing(figure: go.Figure, every: Tensor, panels: int) -> None:
-    """Axes on which all of these poses fit, with one scale."""
-    low, high = float(every[..., 1].min()) - 0.1, float(every[..., 1].max()) + 0.1
-    for column in range(1, panels + 1):
-        figure.update_yaxes(
-            range=[low, high], scaleanchor=f"x{column}".replace("x1", "x"), row=1, col=column
-        )
-    figure.update_xaxes(range=[-1, 1])
 
 
 def seven() -> Page:
