@@ -96,8 +96,11 @@ def held_slowly(toe, drift, before, predicted, other, contact, inwards, both, se
         now, drift = spring(offset, drift, 10.0, seconds)
     limit = max(0.08, float((other - predicted) @ inwards) / 4)
     now = now - max(0.0, float(now @ inwards) - limit) * inwards
-    if both:  # 4 cm/s towards a ground at 2 cm
-        now[1] += min(max(0.02 - float((predicted + now)[1]), -0.04 * seconds), 0.04 * seconds)
+    up = 0.02 - float((predicted + now)[1])  # to a ground at 2 cm
+    most = 0.04 * seconds if both else 0.0
+    if (both or (contact > 0.5 and up > 0)) and abs(up) > 0.02:
+        most += (abs(up) - 0.02) * seconds / 0.1
+    now[1] += min(max(up, -most), most)
     if contact > 0.5:
         drift = (now - offset) / seconds
     return predicted + now, drift

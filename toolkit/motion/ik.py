@@ -24,6 +24,8 @@ ROOM = 0.035  # of a leg's length: over twice this, hips begin to sink gently
 DEEPEST = 0.115  # of a leg's length: hips sink at most so far
 FALL = 0.6  # m/s, at which they sink at most
 BOTH = 0.99  # contact of both feet from which the body stands on both
+UNEVEN = 0.02  # metres that a toe may be over or under the height of standing toes
+LEVEL = 0.1  # seconds: time constant with which a larger distance decays to it
 SETTLE = 0.04  # m/s, at which toes of a body on both feet go to the height of standing toes
 
 
@@ -93,7 +95,8 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, co
     part towards the other toe at most a quarter of their distance or `NEAR`, so that the legs do
     not cross when a character turns on the spot. Toes land at the heights that the network
     predicts, one up to 3 cm over the other. While both are in contact, their heights go to the
-    ground.
+    ground, and faster while they are more than `UNEVEN` off. A single locked toe comes up from
+    below. It does not go down: there are walks on the heels.
 
     Parameters
     ----------
@@ -124,10 +127,12 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, co
     crossing = (now * inwards).sum(-1, keepdim=True) - (apart / 4).clamp_min(NEAR)
     now = now - crossing.clamp_min(0.0) * inwards
 
-    # Both feet on the ground: toes that are too high or too low settle.
+    # Toes that are too high or too low settle: of a body on both feet, and one far below.
     both = (contacts.amin(-1, keepdim=True) > BOTH)[..., None]
-    most = SETTLE * seconds
-    down = (ground - predicted - now)[..., 1:2].clamp(-most, most) * both
+    down = (ground - predicted - now)[..., 1:2]
+    far = (down.abs() - UNEVEN).clamp_min(0.0) * (both | held & (down > 0))
+    most = (SETTLE * both.to(far) + far / LEVEL) * seconds
+    down = down.clamp(-most, most)
     now = now + torch.nn.functional.pad(down, (1, 1))
     return predicted + now, torch.where(held, (now - offset) / seconds, slower)
 

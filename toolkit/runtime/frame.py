@@ -23,6 +23,8 @@ from toolkit.runtime.steering import Command, standing, steer, turn
 
 FPS = trajectory.FPS
 STANDS = 0.9  # share of standing (`steering.standing`) from which feet stay on the ground
+LANDING = 0.5  # seconds in which the contact of a foot in the air rises to 1 then
+LIFTED = 0.15  # metres over the ground: a higher foot stays there, as in hops on one leg
 # Metres (ours): a frame corrects the integrated position of a joint by at most so much. Not of a
 # leg: the published network then glides. With 1 cm, arms lag behind a hop, and HopLeft glides.
 JUMP = 0.02
@@ -165,10 +167,12 @@ def predicted(model, state: CharacterState, command: Command) -> CharacterState:
     ahead = torch.cat((ahead[..., :2], R.normalize(ahead[..., 2:])), -1)
     ahead = torch.cat((new_root[:, None], ahead[:, 1:]), 1)
 
-    # Contacts: a foot on the ground stays there while the character stands.
+    # Contacts: while the character stands, a low foot comes down and then stays there.
     contacts = out["contacts"].clamp(0.0, 1.0)
-    kept = (stand > STANDS) & ((contacts > 0.5) | (state.contacts == 1.0))
-    contacts = torch.where(kept, torch.ones_like(contacts), contacts)
+    ground = getattr(model, "ground", GROUND)
+    low = state.toes[..., 1] < ground + LIFTED
+    rising = contacts.maximum((state.contacts + 1 / (LANDING * FPS)).clamp_max(1.0))
+    contacts = torch.where((stand > STANDS) & low, rising, contacts)
 
     # Pose: the mean of predicted and integrated positions, at most `JUMP` from the integrated ones.
     # A leg in contact is only integrated, so that toes do not jump.
@@ -184,7 +188,7 @@ def predicted(model, state: CharacterState, command: Command) -> CharacterState:
     # A model may have a factor `lift` on the height of toes in the air.
     swing = getattr(model, "lift", 1.0) - 1.0
     toes = leg_joints(layout)[2::3]
-    height, ground = position[:, toes, 1], getattr(model, "ground", GROUND)
+    height = position[:, toes, 1]
     in_the_air = 1.0 - (2 * contacts).clamp_max(1.0)
     position[:, toes, 1] += swing * in_the_air * (height - ground).clamp_min(0.0)
 

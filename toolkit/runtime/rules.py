@@ -19,7 +19,8 @@ Rules = namedtuple("Rules", """
     fps gain fastest spin correction jump lift ground
     proportional integral max_drive stand_still slow low sideways sideways_sum forget asked
     moves standing starting may_stand aligned stands
-    slack near let_go pull soft swing room deepest fall both settle""")
+    slack near let_go pull soft swing room deepest fall both settle uneven level
+    landing lifted""")
 Rules.__doc__ = "Columns of x and z, joints of the legs, constants of the runtime and of foot IK."
 
 
@@ -76,6 +77,10 @@ def rules_of(model) -> Rules:
         fall=ik.FALL,
         both=ik.BOTH,
         settle=ik.SETTLE / trajectory.FPS,
+        uneven=ik.UNEVEN,
+        level=1 / (ik.LEVEL * trajectory.FPS),
+        landing=1 / (frame.LANDING * trajectory.FPS),
+        lifted=frame.LIFTED,
     )
 
 

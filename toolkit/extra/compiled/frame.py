@@ -188,8 +188,11 @@ def _foot_lock(toes, drift, before, predicted, contacts, left, rules, new_toes, 
         apart = ik.dot(ik.plus(ik.triple(predicted[1 - side]), there, -1.0), inwards)
         over = max(ik.dot(now, inwards) - max(apart / 4, rules.near), 0.0)
         now = ik.plus(now, inwards, -over)
-        # toes of a body on both feet go to the ground
-        down = min(max(rules.ground - there[1] - now[1], -most), most)
+        # toes of a body on both feet go to the ground, and a locked toe far below it
+        down = rules.ground - there[1] - now[1]
+        settles = most > 0.0 or (held and down > 0.0)
+        far = max(abs(down) - rules.uneven, 0.0) * rules.level if settles else 0.0
+        down = min(max(down, -most - far), most + far)
         now = now[0], now[1] + down, now[2]
         if held:
             slower = ik.times(ik.plus(now, offset, -1.0), 1 / seconds)
@@ -278,11 +281,12 @@ def after_network(old, z, rules, body, new):
                 dx, dz = _lerp(future[s, 2], dx, share), _lerp(future[s, 3], dz, share)
                 future[s, 2], future[s, 3] = _unit2(dx, dz)
 
-        # contacts: a foot on the ground stays there while the character stands
+        # contacts: while the character stands, a low foot comes down and then stays there
         for side in range(2):
             contact = min(max(out[rules.contacts + side], 0.0), 1.0)
-            kept = contact > 0.5 or old.contacts[b, side] == 1.0
-            new.contacts[b, side] = 1.0 if stand > rules.stands and kept else contact
+            if stand > rules.stands and old.toes[b, side, 1] < rules.ground + rules.lifted:
+                contact = max(contact, min(old.contacts[b, side] + rules.landing, 1.0))
+            new.contacts[b, side] = contact
 
         # the pose, moved from the old root frame to the new one
         new_x, new_z = _pair(history[-1])

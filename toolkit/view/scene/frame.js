@@ -136,8 +136,9 @@ function footLock(old, before, predicted, left, rules, next) {
     } else now = offset.map((v, i) => fade * (v + push[i] * seconds));
     const apart = (other[0] - there[0]) * inwards[0] + (other[2] - there[2]) * inwards[1];
     const over = Math.max(now[0] * inwards[0] + now[2] * inwards[1] - Math.max(apart / 4, rules.near), 0);
-    const down = clamp(rules.ground - there[1] - now[1], -most, most);
-    now = [now[0] - over * inwards[0], now[1] + down, now[2] - over * inwards[1]];
+    const up = rules.ground - there[1] - now[1];
+    const far = most || (held && up > 0) ? Math.max(Math.abs(up) - rules.uneven, 0) : 0, limit = most + far * rules.level;
+    now = [now[0] - over * inwards[0], now[1] + clamp(up, -limit, limit), now[2] - over * inwards[1]];
     for (const i of [0, 1, 2])
       next.drift[3 * side + i] = held ? (now[i] - offset[i]) / seconds
         : fade * (old.drift[3 * side + i] - rules.let_go * push[i] * seconds);
@@ -191,9 +192,9 @@ export function afterNetwork(old, z, rules, next) {
   const [x, z1, newSin, newCos] = history.subarray(here), dx = rootX - x, dz = rootZ - z1;
   const around = unit([sin * newCos - cos * newSin, cos * newCos + sin * newSin]);
   const stand = standing(next, [sin, cos], rules);
-  for (const side of [0, 1]) { // a foot on the ground stays there while the character stands
-    const contact = clamp(z[rules.contacts + side], 0, 1);
-    next.contacts[side] = stand > rules.stands && (contact > 0.5 || old.contacts[side] === 1) ? 1 : contact;
+  for (const side of [0, 1]) { // while the character stands, a low foot comes down and then stays there
+    const contact = clamp(z[rules.contacts + side], 0, 1), low = old.toes[3 * side + 1] < rules.ground + rules.lifted;
+    next.contacts[side] = stand > rules.stands && low ? Math.max(contact, Math.min(old.contacts[side] + rules.landing, 1)) : contact;
   }
   pose(old.joints, z, around, [newCos * dx - newSin * dz, newSin * dx + newCos * dz], next.contacts, rules, next.joints);
   const still = stand * Math.min(...next.contacts);
