@@ -99,7 +99,7 @@ def held_slowly(toe, drift, before, predicted, other, contact, inwards, both, se
     up = 0.02 - float((predicted + now)[1])  # to a ground at 2 cm
     most = 0.04 * seconds if both else 0.0
     if (both or (contact > 0.5 and up > 0)) and abs(up) > 0.02:
-        most += (abs(up) - 0.02) * seconds / 0.1
+        most += (abs(up) - 0.02) * seconds / 0.2
     now[1] += min(max(up, -most), most)
     if contact > 0.5:
         drift = (now - offset) / seconds

@@ -25,7 +25,7 @@ DEEPEST = 0.115  # of a leg's length: hips sink at most so far
 FALL = 0.6  # m/s, at which they sink at most
 BOTH = 0.99  # contact of both feet from which the body stands on both
 UNEVEN = 0.02  # metres that a toe may be over or under the height of standing toes
-LEVEL = 0.1  # seconds: time constant with which a larger distance decays to it
+LEVEL = 0.2  # seconds: time constant with which a larger distance decays to it
 SETTLE = 0.04  # m/s, at which toes of a body on both feet go to the height of standing toes
 
 

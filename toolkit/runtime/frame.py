@@ -24,7 +24,7 @@ from toolkit.runtime.steering import Command, standing, steer, turn
 FPS = trajectory.FPS
 STANDS = 0.9  # share of standing (`steering.standing`) from which feet stay on the ground
 LANDING = 0.5  # seconds in which the contact of a foot in the air rises to 1 then
-LIFTED = 0.15  # metres over the ground: a higher foot stays there, as in hops on one leg
+LIFTED = 0.1  # metres over the ground: a higher foot stays there, as in hops on one leg
 # Metres (ours): a frame corrects the integrated position of a joint by at most so much. Not of a
 # leg: the published network then glides. With 1 cm, arms lag behind a hop, and HopLeft glides.
 JUMP = 0.02
