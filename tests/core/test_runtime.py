@@ -51,6 +51,7 @@ def replayed(walk_clip):
         future=world[None, at : at + 51 : 10],
         joints=joints[None],
         phase=model.rows.phases[:1],
+        rest=torch.zeros(1, 1),
     )
     state = dataclasses.replace(state, toes=runtime.frame.predicted_toes(model.layout, state))
     return model, state, at
@@ -171,7 +172,7 @@ def test_the_trajectory_bends_towards_the_command(small_run):
     for _ in range(60):
         steered = runtime.steer(state, runtime.Command((1.0, 0.0), (1.0, 0.0)))
         velocity, facing, future = steered.velocity, steered.facing, steered.future
-        state = dataclasses.replace(state, velocity=velocity, facing=facing)
+        state = dataclasses.replace(state, velocity=velocity, facing=facing, rest=steered.rest)
     assert velocity[0].tolist() == pytest.approx([1.0, 0.0], abs=1e-3)
     assert facing[0].tolist() == pytest.approx([1.0, 0.0], abs=1e-3)
     # each step of a standing trajectory goes this far to the target's
@@ -354,6 +355,7 @@ def test_future_directions_turn_towards_the_command_by_the_weight_of_their_time(
     The samples ahead take a growing share of that.
     """
     state = runtime.start(replayed[0], torch.zeros(1))
+    state = dataclasses.replace(state, rest=torch.zeros(1, 1))
     command, ahead = runtime.Command((0.0, 0.0), (1.0, 0.0)), (0, 10, 20, 30, 40, 50)
     steered = runtime.steering.steer(state, command, ahead)
     facing, future = steered.facing, steered.future
@@ -371,7 +373,8 @@ def test_a_character_that_is_to_stop_is_opposed_and_one_that_is_to_turn_is_not(r
     state = runtime.start(replayed[0], torch.zeros(1))
     history = state.history.clone()
     history[0, :, 1] = torch.linspace(-0.3, 0.0, 61)  # 0.3 m/s
-    state = dataclasses.replace(state, history=history, asked=torch.tensor([[0.0, 0.3]]))
+    state = dataclasses.replace(state, history=history, asked=torch.tensor([[0.0, 0.3]]),
+                                rest=torch.zeros(1, 1))
     command = runtime.Command((aside, 0.0))
     steered = runtime.steering.steer(state, command, (0, 10, 20, 30, 40, 50))
     slow = 1 - float(steered.velocity.norm()) / 0.3

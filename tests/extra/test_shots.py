@@ -321,7 +321,7 @@ def test_a_look_at_point_is_faced(embedded):
 
 @pytest.mark.parametrize(("changes", "said"), [
     ({"speeds": [(0, 6.0)], "path": [(0, 0), (0, 30)]}, "times that of the style"),
-    ({"speeds": [(0, 1.75)], "path": [(0, 0), (0, 4), (1, 4.2), (1, 0)]}, "too tight"),
+    ({"speeds": [(0, 2.0)], "path": [(0, 0), (0, 4), (0.8, 3)]}, "too tight"),
     ({"path": [(0, 0), (0, 5, 0.5)]}, "too far away to be reached at 0.5 s"),
     ({"path": [(0, 0), (0, 8, 3.0)]}, "path[1] is met"),
     ({"duration": 2.0, "path": [(0, 0), (0, 9)]}, "the end of the path is not reached in 2 s"),

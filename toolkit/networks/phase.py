@@ -87,10 +87,10 @@ def advance(layout: Layout, phase: Tensor, out: dict[str, Tensor]) -> Tensor:
 def initial_pose(model) -> tuple[Tensor, Tensor]:
     """A phase ``[n_phases]`` and a pose ``[12 J]`` of a character that is about to step.
 
-    The phase is two deviations from the mean of the data; the pose is the mean pose. In a model
-    without phases, the pose must start the step: hands and feet are two deviations ahead of or
-    behind their means, and move back (from the mean pose a MANN glided for four seconds before it
-    stepped).
+    The phase is half a deviation from the mean of the data, so that legs in the mean pose need not
+    jump; the pose is the mean pose. In a model without phases, the pose must start the step: hands
+    and feet are two deviations ahead of or behind their means, and move back (from the mean pose a
+    MANN glided for four seconds before it stepped).
     """
     layout, pose = model.layout, model.outputs_mean[model.layout.outputs["joints"]]
     if layout.phase != "none":
@@ -99,7 +99,7 @@ def initial_pose(model) -> tuple[Tensor, Tensor]:
         about_to_step = torch.stack((sines, torch.zeros_like(sines)), 1).flatten()
         if layout.phase == "global":
             return global_phase(about_to_step, limbs), pose
-        return model.phases_mean + 2 * model.phases_std * about_to_step, pose
+        return model.phases_mean + 0.5 * model.phases_std * about_to_step, pose
     mean = split_joints(pose.clone())
     std = split_joints(model.outputs_std[layout.outputs["joints"]])
     for channel, way in (("position", 2.0), ("velocity", -2.0)):

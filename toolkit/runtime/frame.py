@@ -39,9 +39,9 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
     Parameters
     ----------
     model
-        It gives the mean pose. The initial phase is not the mean phase but one in mid-stride: from
-        the mean phase, some styles glide for seconds before they step. For a model without phases,
-        the pose has hands and feet in mid-stride.
+        It gives the mean pose. The initial phase is not quite the mean phase: from there, some
+        styles glide for seconds before they step. For a model without phases, the pose has hands
+        and feet in mid-stride.
     style : Tensor [S] or [B, S]
         Style vector, or one per character. Arrays and lists are accepted, here and below.
     position, facing
@@ -88,7 +88,7 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
         drive=torch.ones_like(look[:, :1]),
         asked=torch.zeros_like(look),
         aside=torch.zeros_like(look[:, :1]),
-        rest=torch.zeros_like(look[:, :1]),
+        rest=torch.ones_like(look[:, :1]),
         contacts=torch.ones_like(look),
         toes=look.new_zeros(len(look), 2, 3),
         drift=look.new_zeros(len(look), 2, 3),
