@@ -36,7 +36,8 @@ CHOSE = ("xia/neutral_01_000", "xia/sexy_01_000", "xia/strutting_01_000",
          "foreign/pybvh__cmu_12_01_walk", "foreign/animateddrawings__zombie",
          "pfnn/LocomotionFlat04_000", "100style/Neutral_FW")
 #: Styles that the pictures show as half of the clip's, though the verdict is good.
-HALF = ("recorded: 8yr_old/run", "recorded: cmu_1006/running001",
+HALF = ("recorded: 5yr_old/running", "recorded: cmu_new/walk_sway",
+        "recorded: cmu_1006/running001",
         "recorded: cmu_new/walk_raise_the_roof", "recorded: cmu_new/walk_side_point2_",
         "procedural: 5yr_old/walking",
         "procedural: cmu_1006/running001", "procedural: cmu_1006/walking001")
