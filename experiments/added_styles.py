@@ -37,9 +37,9 @@ CHOSE = ("xia/neutral_01_000", "xia/sexy_01_000", "xia/strutting_01_000",
          "pfnn/LocomotionFlat04_000", "100style/Neutral_FW")
 #: Styles that the pictures show as half of the clip's, though the verdict is good.
 HALF = ("recorded: 5yr_old/running", "recorded: cmu_new/walk_sway",
-        "recorded: cmu_1006/running001",
-        "recorded: cmu_new/walk_raise_the_roof", "recorded: cmu_new/walk_side_point2_",
-        "procedural: 5yr_old/walking",
+        "recorded: cmu_1006/running001", "recorded: cmu_new/walk_raise_the_roof",
+        "recorded: cmu_new/walk_side_point2_", "procedural: 5yr_old/walking",
+        "procedural: foreign/pymo__AV_8Walk_Meredith_HVHA_Rep1",
         "procedural: cmu_1006/running001", "procedural: cmu_1006/walking001")
 
 
