@@ -39,9 +39,9 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
     Parameters
     ----------
     model
-        It gives the mean pose. The initial phase is not quite the mean phase: from there, some
-        styles glide for seconds before they step. For a model without phases, the pose has hands
-        and feet in mid-stride.
+        It gives the mean pose. The initial phase is half a deviation from the mean: nearer to it,
+        some styles slide or jump at their first step. For a model without phases, the pose has
+        hands and feet in mid-stride.
     style : Tensor [S] or [B, S]
         Style vector, or one per character. Arrays and lists are accepted, here and below.
     position, facing
