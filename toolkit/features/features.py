@@ -150,9 +150,9 @@ def frames(clip: Clip, ph: phases.Phases | None = None, start: int = 0, stop: in
            samples: tuple[int, ...] = trajectory.SAMPLES) -> Frames:
     """x, p and z of every frame whose trajectory window lies inside the clip (section 3.2).
 
-    ``ph`` are the clip's phases, by default those of the hybrid source; ``samples`` are the
-    window's offsets, see `Layout`. ``start`` and ``stop`` limit the frames, not their past and
-    future. ValueError if the clip is not at 60 Hz or no frame has its whole window inside.
+    ``ph`` are the clip's phases, by default those of the hybrid source; ``samples`` are those of a
+    `Layout`. ``start`` and ``stop`` limit the frames, not their past and future. ValueError if the
+    clip is not at 60 Hz or no frame has its whole window inside.
     """
     own = own_features(clip, phases.extract(clip) if ph is None else ph, samples)
     at = usable(len(clip), own.joints.device, samples)
@@ -238,8 +238,7 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
         (section 3.2), never idling (published run)
     short : ``"raise"``: a clip that holds no whole window is an error; ``"skip"``: it is left out,
         and with a warning a style that has no other
-    samples : offsets of the trajectory window, see `Layout`; they must be those of the model that
-        uses the features
+    samples : those of the `Layout` of the model that uses the features
     progress : show a bar
 
     Raises
@@ -318,24 +317,23 @@ def style_rows(own: OwnFeatures, takes: Iterable[tuple[int, int]]) -> dict[str, 
     own : features of its recordings, one after the other
     takes : number of the take and of frames of each; a mirror image comes just after its original
     """
-    device, samples = own.joints.device, own.layout.samples
-    last, first, base, free = None, 0, 0, 0
-    parts = []
+    device, parts = own.joints.device, []
+    first = 0  # of the recording's frames, in ``own``
+    last, number, free = None, 0, 0  # its take before, number of its first frame, next free one
     for take, n in takes:
         # Frames of a style are numbered through, with gaps of `CLIP_FRAMES` between recordings, so
         # that no window of held-out frames touches two recordings (`splits.style_clips`).
         if take != last:
-            last, base, free = take, free, free + n + CLIP_FRAMES
-        at = first + usable(n, device, samples)
-        starts = torch.arange(first, first + max(0, n - CLIP_FRAMES + 1), CLIP_HOP, device=device)
-        shift = base - first
+            last, number, free = take, free, free + n + CLIP_FRAMES
+        rows = usable(n, device, own.layout.samples)
+        starts = torch.arange(0, max(0, n - CLIP_FRAMES + 1), CLIP_HOP, device=device)
         # of style clips and of the whole recording: first frame, its number, number of frames
-        clips = torch.stack((starts, starts + shift, torch.full_like(starts, CLIP_FRAMES)), -1)
-        whole = torch.tensor([[first, base, n]], device=device)
-        parts.append((at, torch.full_like(at, take), at + shift, clips, whole))
+        lengths = torch.full_like(starts, CLIP_FRAMES)
+        clips = torch.stack((first + starts, number + starts, lengths), -1)
+        whole = torch.tensor([[first, number, n]], device=device)
+        parts.append((first + rows, torch.full_like(rows, take), number + rows, clips, whole))
         first += n
-    columns = (torch.cat(column) for column in zip(*parts, strict=True))
-    at, numbers, frames, clips, whole = columns
+    at, numbers, frames, clips, whole = (torch.cat(part) for part in zip(*parts, strict=True))
     if not len(clips):  # only short recordings: each is repeated
         clips = whole
     return {"inputs": Rows(own.inputs, at), "phases": Rows(own.phases.__getitem__, at),

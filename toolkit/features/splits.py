@@ -44,14 +44,13 @@ def split(data: Features, share: float, seed: int,
     `style_clips`; the held-out frames come with all. Features of a list (`listed`) have its parts,
     whatever ``share`` and ``seed``.
     """
-    known = data.split
-    if known and known.share is not None and (known.share, known.seed) != (share, seed):
-        known = None
-    if known:
+    known, statistics = data.split, None
+    if known and (known.share is None or (known.share, known.seed) == (share, seed)):
         masks = {style: known.held_out[style] for style in styles}
+        if styles == tuple(data.styles):
+            statistics = known.statistics
     else:
         masks = held_out(data, share, seed, styles)
-    statistics = known.statistics if known and styles == tuple(data.styles) else None
 
     learnt = {s: apart(data, s, masks[s]) for s in styles}
     shown = {s: style_clips(data, s, ~learnt[s]) for s in styles}
@@ -157,8 +156,9 @@ def style_clips(data: Features, style: str, held_out: Tensor) -> Tensor | Rows:
         return _picked(clips, whole)
     kept = []
     for i, length in enumerate(lengths):
+        # runs of frames that are all free or all taken
         runs = groupby(range(length), key=free[i].tolist().__getitem__)
-        longest = max((list(run) for yes, run in runs if yes), key=len, default=[])
+        longest = max((list(run) for is_free, run in runs if is_free), key=len, default=[])
         if len(longest) >= STRETCH:
             kept.append(clips[i][longest[0] + column % len(longest)])
     if kept:
@@ -177,18 +177,20 @@ def held_out(data: Features, share: float, seed: int, styles: tuple[str, ...]) -
     """
     masks = {}
     for style in styles:
-        n, takes, frames = len(data.takes[style]), data.takes[style].unique(), data.frames[style]
-        windows = [frames[data.takes[style] == take].unique() for take in takes]
-        if len(windows) < SPLIT_TAKES:
+        takes, frames = data.takes[style], data.frames[style]
+        windows = [frames[takes == take].unique() for take in takes.unique()]
+        whole = len(windows) >= SPLIT_TAKES
+        if not whole:
             windows = [w for take in windows for w in take.split(SPLIT_FRAMES)]
-        target, chosen = round(share * n), torch.zeros(n, dtype=torch.bool)
+        chosen = torch.zeros(len(frames), dtype=torch.bool)
         for w in torch.randperm(len(windows), generator=generator(seed, SPLIT, style)).tolist():
-            if (need := target - int(chosen.sum())) <= 0:
+            missing = round(share * len(frames)) - int(chosen.sum())
+            if missing <= 0:
                 break
             rows = torch.isin(frames, windows[w])
-            if len(takes) < SPLIT_TAKES:
+            if not whole:  # of the last window only as many frames as are missing
                 images = int(rows.sum()) // len(windows[w])  # 2 with mirror images
-                rows = torch.isin(frames, windows[w][-math.ceil(need / images) :])
+                rows = torch.isin(frames, windows[w][-math.ceil(missing / images) :])
             chosen |= rows
         masks[style] = chosen
     return masks

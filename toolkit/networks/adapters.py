@@ -43,9 +43,8 @@ class StyleTable(nn.Module):
 class OneHot(nn.Module):
     """A one-hot style label beside x: it shifts the first hidden layer.
 
-    Each of K ``experts`` or control points has its own shift of ``hidden`` units; gates blend
-    shifts in the same way as weights. The table has a row for each of ``styles``; with 0 the model
-    only takes style vectors.
+    Each of K ``experts`` or control points has its own shift; gates blend shifts in the same way as
+    weights. The table has a row for each of ``styles``; with 0 the model only takes style vectors.
     """
 
     def __init__(self, experts: int, hidden: int, styles: int):
@@ -71,31 +70,25 @@ class ResidualAdapter(nn.Module):
     The coefficients c have a row for each expert or control point, so they follow the phase. A
     style vector is (A, b) or (V, c, U, b). With the decomposition, a blend of vectors is not
     exactly a blend of the shifts, because A is a product.
-
-    ``hidden``, ``experts`` and ``styles`` are those of `OneHot`; the paper's ``rank`` is 30.
     """
 
     def __init__(self, hidden: int, experts: int, rank: int | None, styles: int):
         super().__init__()
-        shapes = ((hidden, hidden),)
-        if rank is not None:
-            shapes = (hidden, rank), (experts, rank), (rank, hidden)
-        self.shapes = (*shapes, (1, hidden))
+        full = rank is None
+        self.shapes = (hidden, hidden), (1, hidden)
+        if not full:
+            self.shapes = (hidden, rank), (experts, rank), (rank, hidden), (1, hidden)
         self.widths = [rows * columns for rows, columns in self.shapes]
         self.size = sum(self.widths)
-        self.generator = StyleTable(self._start(styles)) if styles else None
-
-    def _start(self, styles: int) -> Tensor:
-        """A = 0 and b is random. In a decomposition V is random, c = 1 and U = 0.
-
-        With more zeros, gradients are zero.
-        """
+        # A = 0: in a decomposition only U, because with more zeros gradients are zero; b is random
         *factors, b = (torch.zeros(styles, width) for width in self.widths)
-        if len(factors) > 1:
+        if not full:
+            v, c, _ = factors
             bound = math.sqrt(6.0 / self.widths[0])
-            factors[0].uniform_(-bound, bound)
-            factors[1].fill_(1.0)
-        return torch.cat((*factors, b.normal_()), 1)
+            v.uniform_(-bound, bound)
+            c.fill_(1.0)
+        start = torch.cat((*factors, b.normal_()), 1)
+        self.generator = StyleTable(start) if styles else None
 
     def forward(self, layer: int, f: Tensor, style: Tensor, x: Tensor, gates: Tensor) -> Tensor:
         """ELU(F) of hidden layer 0, ELU(F + x A + b) of hidden layer 1 and its inputs x."""
@@ -104,10 +97,11 @@ class ResidualAdapter(nn.Module):
             pairs = zip(split, self.shapes, strict=True)
             *factors, b = (part.unflatten(-1, shape) for part, shape in pairs)
             if len(factors) == 1:
-                f = f + _times(x, factors[0]) + b[:, 0]
+                shift = _times(x, factors[0])
             else:
                 v, c, u = factors
-                f = f + _times(_times(x, v) * _times(gates, c), u) + b[:, 0]
+                shift = _times(_times(x, v) * _times(gates, c), u)
+            f = f + shift + b[:, 0]
         return F.elu(f)
 
 

@@ -179,7 +179,7 @@ class StyleBank(Mapping[str, Tensor]):
 
     @classmethod
     def load(cls, path: str | os.PathLike) -> "StyleBank":
-        """Read a bank, of `save` or of a training run."""
+        """Read a bank, also that of a training run."""
         return cls.from_parts(path, *model_files.read(path, "bank"))
 
     @classmethod

@@ -1,7 +1,8 @@
 """Gated experts (Mason et al. 2022, section 4.1): K sets of weights, blended for every sample.
 
 A gating network (LPN, MANN) or a phase alone (PFNN) says how: from the phases p or the input frames
-x it makes coefficients ``[B, K]`` that sum to one. Shapes: B samples, K experts, D features.
+x it makes coefficients ``[B, K]`` that sum to one. Shapes: B samples, K experts. The numbers of
+units and the ``dropout`` of each layer's inputs are those of `Sizes`.
 """
 
 import math
@@ -21,8 +22,7 @@ class BlendedLinear(nn.Module):
     Blended weights are not computed. Σ αᵢ (x Wᵢ) is one matrix product: the inputs times each gate,
     side by side ``[B, K n_in]``, times the stacked weights of the experts ``[K n_in, n_out]``. For
     32 samples this is five times as fast as to blend the weights for each sample; for one sample
-    both take the same time. The numbers are ``experts``, K, and the columns ``n_in`` of x and
-    ``n_out`` of y.
+    both take the same time.
     """
 
     def __init__(self, experts: int, n_in: int, n_out: int):
@@ -54,11 +54,7 @@ class BlendedLinear(nn.Module):
 
 
 class Experts(nn.Module):
-    """The motion synthesis network Φ: three blended layers; the style modulates the hidden two.
-
-    The numbers are ``experts``, K, and columns of x (``n_in``), of both hidden layers and of z
-    (``n_out``); ``dropout`` is the share of every layer's inputs that training drops.
-    """
+    """The motion synthesis network Φ: three blended layers; the style modulates the hidden two."""
 
     def __init__(self, experts: int, n_in: int, hidden: int, n_out: int, dropout: float):
         super().__init__()
@@ -90,9 +86,7 @@ class Experts(nn.Module):
 class Gating(nn.Module):
     """The gating network Ω of the LPN: phases to K positive coefficients that sum to one.
 
-    It has ``n_in`` inputs (8: sine and cosine of four local phases), ``hidden`` units in both
-    hidden layers and ``experts`` outputs, K. ``dropout`` is the share of every layer's inputs that
-    training drops.
+    The ``n_in`` phases are 8: sine and cosine of four local phases.
     """
 
     def __init__(self, n_in: int, hidden: int, experts: int, dropout: float):
@@ -115,8 +109,7 @@ class Gating(nn.Module):
 class VelocityGating(Gating):
     """The gating of the MANN (Zhang et al. 2018; section 5.1.3).
 
-    Its inputs are velocities of hands and feet, ``columns`` of x, instead of phases. Other
-    arguments are those of `Gating`.
+    Its inputs are velocities of hands and feet, ``columns`` of x, instead of phases.
     """
 
     def __init__(self, columns: Sequence[int], hidden: int, experts: int, dropout: float):
@@ -131,10 +124,9 @@ class VelocityGating(Gating):
 class CatmullRom(nn.Module):
     """The phase function of the PFNN (Holden et al. 2017): a closed spline through sets of weights.
 
-    A point of a Catmull-Rom spline is a blend of its four nearest control points. The coefficients
-    depend only on the distances to them (in steps of 2π/K). So this is a gating for the same
-    blended layers as the others. Its coefficients sum to one and may be negative. It has no
-    parameters. There are K = `CONTROL_POINTS`.
+    A point of a Catmull-Rom spline is a blend of its four nearest control points, of K =
+    `CONTROL_POINTS`. The coefficients depend only on the distances d to them (in steps of 2π/K),
+    sum to one and may be negative. So this is a gating without parameters.
     """
 
     def forward(self, phase: Tensor, x: Tensor | None = None) -> Tensor:

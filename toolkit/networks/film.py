@@ -22,12 +22,8 @@ def layer_norm(f: Tensor) -> Tensor:
 class Film(nn.Module):
     """Modulation of hidden layers by a style vector (γ1, β1, γ2, β2), each as wide as a layer.
 
-    Parameters
-    ----------
-    hidden : units of a hidden layer
-    generator
-        The network Ψ that makes style vectors of clips (equation 2); None for a model that only
-        takes style vectors.
+    The ``generator`` is the network Ψ that makes style vectors of clips (equation 2); None for a
+    model that only takes style vectors.
     """
 
     def __init__(self, hidden: int, generator: "FilmGenerator | None"):
@@ -89,11 +85,9 @@ class FilmGenerator(nn.Module):
     The paper does not say how γ is initialised. We start the last layer's bias with γ = 1, β = 0,
     which is plain layer normalisation. Otherwise hidden layers would be almost zero.
 
-    Style clips have ``frames`` frames of ``n_in`` columns (12 J). Both convolutions have
-    ``channels`` filters, ``kernel`` frames wide; the first dense layer has ``dense`` units, of
-    which training drops the share ``dropout``. (The paper says that dropout is everywhere; in the
-    generator of the published run it is only here.) The style vectors modulate layers of ``hidden``
-    units.
+    Style clips have ``frames`` frames of ``n_in`` columns (12 J); the other numbers are those of
+    `Sizes`. (The paper says that dropout is everywhere; in the generator of the published run only
+    units of the first dense layer are dropped.)
     """
 
     def __init__(self, n_in: int, frames: int, hidden: int, channels: int, kernel: int, dense: int,
@@ -121,8 +115,7 @@ class Convolution(nn.Conv1d):
     On the CPU, many clips with a wide kernel are convolved in the frequency domain, tile by tile
     (overlap-save). A kernel of 25 frames then needs a sixth of the multiplications. The result is
     the same up to rounding (with bfloat16, rounding errors are 1.5 times as large). Few clips,
-    narrow kernels and other devices use torch's convolution. ``n_in`` and ``n_out`` are channels,
-    ``kernel`` is in frames.
+    narrow kernels and other devices use torch's convolution.
     """
 
     def __init__(self, n_in: int, n_out: int, kernel: int):
@@ -133,13 +126,14 @@ class Convolution(nn.Conv1d):
         width = self.kernel_size[0]
         if len(x) < MANY or width < WIDE or x.device.type != "cpu":
             return super().forward(x)
-        # tiles of `TILE` frames, each with the frames around it that the kernel reaches
+        # tiles of `TILE` frames, each with the frames around it that the kernel reaches: n frames
         frames, n = x.shape[2], TILE + width - 1
         before = (width - 1) // 2
         padded = F.pad(x.transpose(1, 2), (0, 0, before, width - 1 - before + -frames % TILE))
         tiles = padded.unfold(1, n, TILE).permute(3, 0, 1, 2)  # [n, M, tiles, n_in]
 
-        # spectra of tiles and kernels, [frequencies, M tiles, n_in] and [frequencies, n_in, n_out]
+        # spectra of tiles and kernels, real part and imaginary part, [frequencies, M tiles, n_in]
+        # and [frequencies, n_in, n_out]; matrix products, because torch.fft takes 1.4 times as long
         waves, back = _waves(n)
         re, im = (waves @ tiles.flatten(1)).view(2, n // 2 + 1, -1, self.in_channels)
         kernel = waves[:, :width] @ self.weight.permute(2, 1, 0).flatten(1)

@@ -102,8 +102,7 @@ class Model(Predictor):
             source = "FiLM generator" if isinstance(self.modulation, Film) else "table of styles"
             raise ValueError(f"this model was stored without its {source}: it takes style "
                              "vectors, and cannot make any")
-        of_number = isinstance(self.generator, StyleTable)
-        return self.generator(style if of_number else clips)
+        return self.generator(style if isinstance(self.generator, StyleTable) else clips)
 
     def style_vector(self, clips: Tensor, style: int | None = None) -> Tensor:  # noqa: D102
         if isinstance(self.generator, StyleTable):

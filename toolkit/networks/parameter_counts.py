@@ -61,11 +61,13 @@ def table2() -> list[Row]:
         with torch.device("meta"):
             model = Model(name, layout, N_STYLES, Sizes())
         counted = counts(model)
+        # each convolution counted as in the printed number, see `WHY`
         short = counted["style"]
         for layer in model.modulation.modules():
             if isinstance(layer, nn.Conv1d):
                 filters, _, width = layer.weight.shape
-                short += filters * width + width - layer.weight.numel() - layer.bias.numel()
+                short -= layer.weight.numel() + layer.bias.numel()
+                short += filters * width + width
         differs = tuple(counted.values()) != PRINTED[name]
         rows.append(Row(name, **counted, printed=PRINTED[name], style_as_printed=short,
                         note=WHY if differs else ""))

@@ -51,16 +51,13 @@ def normalisers(layout: Layout, data: Features) -> dict[str, Normaliser]:
     found = data.normalisers()
     if layout.phase == "local":
         return found
-    observed = [
-        Rows(
-            lambda at, s=s: observe(layout, data.phases[s][at], data.outputs[s][at])[1],
-            torch.arange(len(data.outputs[s])),
-        )
-        for s in data.styles
-    ]
-    n = layout.n_phases
-    phases = Normaliser(torch.zeros(n), torch.ones(n))
-    return found | {"phases": phases, "outputs": Normaliser.of(*observed)}
+
+    def observed(style: str) -> Rows:
+        p, z = data.phases[style], data.outputs[style]
+        return Rows(lambda at: observe(layout, p[at], z[at])[1], torch.arange(len(z)))
+
+    phases = Normaliser(torch.zeros(layout.n_phases), torch.ones(layout.n_phases))
+    return found | {"phases": phases, "outputs": Normaliser.of(*map(observed, data.styles))}
 
 
 def advance(layout: Layout, phase: Tensor, out: dict[str, Tensor]) -> Tensor:
@@ -92,17 +89,16 @@ def initial_pose(model) -> tuple[Tensor, Tensor]:
     and feet are two deviations ahead of or behind their means, and move back (from the mean pose a
     MANN glided for four seconds before it stepped).
     """
-    layout, pose = model.layout, model.outputs_mean[model.layout.outputs["joints"]]
-    if layout.phase != "none":
-        limbs = layout.phase_limbs
-        sines = pose.new_tensor([ABOUT_TO_STEP.get(limb, 0.0) for limb in limbs])
-        about_to_step = torch.stack((sines, torch.zeros_like(sines)), 1).flatten()
-        if layout.phase == "global":
-            return global_phase(about_to_step, limbs), pose
-        return model.phases_mean + 0.5 * model.phases_std * about_to_step, pose
-    mean = split_joints(pose.clone())
-    std = split_joints(model.outputs_std[layout.outputs["joints"]])
-    for channel, way in (("position", 2.0), ("velocity", -2.0)):
+    layout, joints = model.layout, model.layout.outputs["joints"]
+    pose, limbs = model.outputs_mean[joints], layout.phase_limbs
+    if layout.phase == "none":
+        mean, std = split_joints(pose.clone()), split_joints(model.outputs_std[joints])
         ahead = pose.new_tensor([ABOUT_TO_STEP[limb] for limb in LIMBS])
-        mean[channel][layout.limbs, 2] += way * ahead * std[channel][layout.limbs, 2]
-    return model.phases_mean, pack_joints(**mean)
+        for channel, way in (("position", 2.0), ("velocity", -2.0)):
+            mean[channel][layout.limbs, 2] += way * ahead * std[channel][layout.limbs, 2]
+        return model.phases_mean, pack_joints(**mean)
+    sines = pose.new_tensor([ABOUT_TO_STEP.get(limb, 0.0) for limb in limbs])
+    vectors = torch.stack((sines, torch.zeros_like(sines)), 1).flatten()
+    if layout.phase == "global":
+        return global_phase(vectors, limbs), pose
+    return model.phases_mean + 0.5 * model.phases_std * vectors, pose
