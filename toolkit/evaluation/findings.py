@@ -266,15 +266,15 @@ def _between(a: int, one: Clip, b: int, other: Clip, apart: float | None) -> lis
         found += _findings("apart", f"hips of {a} and {b}", gap, gap * 0 + apart, one.fps, b)
     if float(gap.min()) > 2.0:  # metres: nobody's arms are so long
         return found
-    near = [(clip, {"trunk": _trunk(clip)[:frames]}, _limbs(clip)) for clip in (one, other)]
-    (_, trunk, limbs), (_, trunk2, limbs2) = near
-    pairs = [("trunk", "trunk", trunk, trunk2), ("limb", "trunk", limbs, trunk2),
-             ("limb", "trunk", limbs2, trunk), ("limb", "limb", limbs, limbs2)]
-    for kind, with_, mine, theirs in pairs:
-        distance = _distance(torch.cat([p[:frames] for p in mine.values()], 1),
-                             torch.cat([p[:frames] for p in theirs.values()], 1))
-        limit = distance * 0 + OTHERS[kind, with_]
-        found += _findings("body", f"{kind} and {with_} of {a} and {b}", distance, limit,
+    mine, theirs = ({"trunk": _trunk(clip)[:frames],
+                     "limb": torch.cat([*_limbs(clip).values()], 1)[:frames]}
+                    for clip in (one, other))
+    for part, with_, first, second in (
+            ("trunk", "trunk", mine, theirs), ("limb", "trunk", mine, theirs),
+            ("limb", "trunk", theirs, mine), ("limb", "limb", mine, theirs)):
+        distance = _distance(first[part], second[with_])
+        limit = distance * 0 + OTHERS[part, with_]
+        found += _findings("body", f"{part} and {with_} of {a} and {b}", distance, limit,
                            one.fps, b)
     return found
 
@@ -283,17 +283,14 @@ def _findings(kind: str, part: str, values: Tensor, limit: Tensor, fps: float,
               character: int) -> list[Finding]:
     """Moments beyond the limit; those that are less than `JOIN` apart are one."""
     worse = limit - values if kind in LEAST else values - limit
-    frames = (worse > 0).nonzero()[:, 0].tolist()
-    found: list[list[int]] = []
-    for frame in frames:
-        if found and frame - found[-1][-1] <= JOIN * fps:
-            found[-1].append(frame)
-        else:
-            found.append([frame])
-    worst = [max(some, key=lambda frame: float(worse[frame])) for some in found]
-    return [Finding(kind, part, some[0] / fps, (some[-1] + 1) / fps, float(values[at]),
-                    float(limit[at]), UNITS[kind], character)
-            for some, at in zip(found, worst, strict=True)]
+    frames = (worse > 0).nonzero()[:, 0]
+    gaps = (frames.diff() > JOIN * fps).nonzero()[:, 0] + 1
+    found = []
+    for some in frames.tensor_split(gaps.tolist()) if len(frames) else ():
+        at = some[worse[some].argmax()]
+        found.append(Finding(kind, part, int(some[0]) / fps, (int(some[-1]) + 1) / fps,
+                             float(values[at]), float(limit[at]), UNITS[kind], character))
+    return found
 
 
 def _trunk(clip: Clip) -> Tensor:

@@ -89,10 +89,8 @@ class Recogniser(nn.Module):
 
     def accuracy(self, data: Features) -> float:
         """Share of the style clips in ``data`` that are recognised, mean over the styles."""
-        right = []
-        for i, style in enumerate(self.styles):
-            found = self.probabilities(data.clips[style][:]).argmax(-1)
-            right.append((found == i).float().mean())
+        right = [(self.probabilities(data.clips[style][:]).argmax(-1) == i).float().mean()
+                 for i, style in enumerate(self.styles)]
         return float(torch.stack(right).mean())
 
     def save(self, path: str | os.PathLike) -> None:
@@ -128,15 +126,15 @@ def train(data: Features, seed: int = 0, steps: int = STEPS) -> Recogniser:
     if len(data.styles) < 2:
         raise ValueError(f"a recogniser needs at least two styles, got {', '.join(data.styles)}")
     draw = splits.generator(seed)
-    with torch.random.fork_rng(devices=[]):
-        torch.manual_seed(splits.mix(seed))
+    with splits.seeded("cpu", seed):
         model = Recogniser(tuple(data.styles), _robust(data.normalisers()["clips"]))
     adam = torch.optim.Adam(model.parameters(), lr=RATE, weight_decay=1e-4, fused=True)
     schedule = torch.optim.lr_scheduler.CosineAnnealingLR(adam, steps)
     for _ in range(steps):
         labels = torch.randint(len(data.styles), (BATCH,), generator=draw)
         drawn = []
-        for clips in (data.clips[data.styles[i]] for i in labels):
+        for label in labels:
+            clips = data.clips[data.styles[label]]
             which = int(torch.randint(len(clips), (), generator=draw))
             where = int(torch.randint(features.CLIP_FRAMES - WINDOW + 1, (), generator=draw))
             drawn.append(clips[which][where : where + WINDOW])

@@ -147,9 +147,9 @@ def learn(model: Predictor, bank: StyleBank, clips: Sequence[Clip], name: str, *
 def choose(made: NewStyles, clip: Clip) -> tuple[StyleBank, Comparison]:
     """The bank with that vector of a training which walks most like a clip, and its comparison.
 
-    The held-out error of `fine_tune` is measured one step ahead, and chooses another step. Where no
-    step gives a good walk, vectors on the line from the first step to the best one are tried.
-    The clip should be a walk (`not_a_walk`). ValueError if several styles were learnt at once.
+    Where no step of the training gives a good walk, vectors on the line from the first step to the
+    best one are tried. The clip should be a walk (`not_a_walk`). ValueError if several styles were
+    learnt at once.
     """
     if len(made.names) != 1:
         raise ValueError(f"one style is chosen at a time, got {', '.join(made.names)}")
@@ -157,17 +157,16 @@ def choose(made: NewStyles, clip: Clip) -> tuple[StyleBank, Comparison]:
     vectors = torch.cat([made.bank[name][None], made.tried[:, 0]])
     floors = _floors(made.bank, made.bank[name], name)
     found = _compared(clip, made.model, vectors, made.bank, floors)
-    best = min(range(len(found)), key=lambda i: found[i].rank())
-    if found[best].verdict != "good":
+    ranked = sorted(range(len(found)), key=lambda i: found[i].rank())
+    if found[ranked[0]].verdict != "good":
         start = made.tried[0]
         # even if the start walks best, the line needs another end
-        others = (i for i in range(len(found)) if not torch.equal(vectors[i], start[0]))
-        end = min(others, key=lambda i: found[i].rank(), default=best)
-        line = torch.tensor(SHARES, dtype=vectors.dtype)[:, None]
-        line = torch.lerp(start, vectors[end, None], line)
+        others = (i for i in ranked if not torch.equal(vectors[i], start[0]))
+        end = vectors[next(others, ranked[0])]
+        line = torch.lerp(start, end, torch.tensor(SHARES, dtype=vectors.dtype)[:, None])
         vectors = torch.cat([vectors, line])
         found += _compared(clip, made.model, line, made.bank, floors)
-        best = min(range(len(found)), key=lambda i: found[i].rank())
+    best = min(range(len(found)), key=lambda i: found[i].rank())
     kept = made.bank.vectors.clone()
     kept[made.bank.names.index(name)] = vectors[best]
     return replace(made.bank, vectors=kept), found[best]
@@ -210,18 +209,21 @@ def _judged(rows: dict[str, dict[str, float]], clips: dict[str, Clip]) -> Compar
 def difference(rows: Mapping[str, Mapping[str, float]], what: str) -> float:
     """How far the style's walk is from the clip's, as a share of what a good one may be."""
     clip, style = rows["clip"][what], rows["style"][what]
-    if what == "posture":
-        floors = [row[what] for name, row in rows.items() if name not in ("clip", "style")]
-        return style / min(max(POSTURE * min(floors, default=math.inf), CLOSE), FAR)
-    if what == "head":
-        return style / LIMITS[what]
-    if what == "range":
-        return abs(math.log(style / clip)) / math.log(RANGE)
-    if what == "direction":
-        return abs(math.remainder(style - clip, 360)) / LIMITS[what]
-    if what == "slower foot":
-        return (style - clip) / LIMITS[what]
-    return abs(style - clip) / (LIMITS[what] * (clip if what in ("speed", "steps") else 1))
+    match what:
+        case "posture":
+            floors = [row[what] for name, row in rows.items() if name not in ("clip", "style")]
+            return style / min(max(POSTURE * min(floors, default=math.inf), CLOSE), FAR)
+        case "range":
+            return abs(math.log(style / clip)) / math.log(RANGE)
+        case "head":  # an angle from the clip's already
+            return style / LIMITS[what]
+        case "direction":
+            return abs(math.remainder(style - clip, 360)) / LIMITS[what]
+        case "slower foot":
+            return (style - clip) / LIMITS[what]
+        case "speed" | "steps":
+            return abs(style - clip) / (LIMITS[what] * clip)
+    return abs(style - clip) / LIMITS[what]
 
 
 def against(rows: Mapping[str, Mapping[str, float]], what: str) -> str:
@@ -305,14 +307,14 @@ def commands(clip: Clip) -> list[runtime.Command]:
     angle = torch.atan2(facing[:, 0], facing[:, 1])
     # relative to the facing, so that a repetition starts where the last one ended
     along = turned(velocity, -angle)
-    turns = torch.diff(angle)
+    turns = torch.diff(angle, append=angle[-1:])
     turns = torch.atan2(turns.sin(), turns.cos())
-    made = [(along.mean(0), torch.zeros(()))] * round(WARM_UP * clip.fps)
-    while len(made) < (WARM_UP + SECONDS) * clip.fps:
-        made += zip(along, torch.cat((turns, turns.new_zeros(1))), strict=True)
-    made = made[: round((WARM_UP + max(SECONDS, clip.seconds)) * clip.fps)]
-    now = torch.stack([turn for _, turn in made]).cumsum(0)
-    wanted = turned(torch.stack([way for way, _ in made]), now)
+    # the mean velocity straight ahead, and then the clip, as often as `SECONDS` need
+    warm_up, repeats = round(WARM_UP * clip.fps), math.ceil(SECONDS * clip.fps / len(along))
+    at = torch.arange(repeats * len(along)) % len(along)
+    at = at[: round(max(SECONDS, clip.seconds) * clip.fps)]
+    now = torch.cat((turns.new_zeros(warm_up), turns[at])).cumsum(0)
+    wanted = turned(torch.cat((along.mean(0).expand(warm_up, 2), along[at])), now)
     facing = torch.stack((now.sin(), now.cos()), -1)
     return [runtime.Command(tuple(v), tuple(f))
             for v, f in zip(wanted.tolist(), facing.tolist(), strict=True)]
@@ -341,11 +343,12 @@ def measures(walk: Clip, clip: Clip) -> dict[str, float]:
     roots = root_frames(walk)
     way = roots.turn_to_local(contacts.velocities(roots.positions, walk.fps)).mean(0)
     toes = contacts.velocities(contacts.toes_of(walk), walk.fps).norm(dim=-1).amin(1)
-    body, own = upper_body(walk), upper_body(clip)
-    head, own_head, seen = up_of_head(walk), up_of_head(clip), body
+    body = upper_body(walk)
+    # the clip's beside the walk's; of the clip itself, the first half beside the second
+    pairs = [(of(clip), of(walk)) for of in (upper_body, up_of_head)]
     if walk is clip:
-        own, seen = body.split((len(body) + 1) // 2)
-        own_head, head = head.split((len(body) + 1) // 2)
+        pairs = [own.split((len(own) + 1) // 2) for own, _ in pairs]
+    (own, seen), (own_head, head) = pairs
     return {
         "speed": pace(walk),
         "direction": math.degrees(math.atan2(float(way[0]), float(way[2]))),
