@@ -62,8 +62,8 @@ def web(model, bank, path: str | os.PathLike, *, title: str = "A character under
     Parameters
     ----------
     model, bank
-        A model and its style bank, e.g. of `toolkit.pretrained`. Only LPN-FiLM runs in a page. Of
-        another model, the page plays recorded walks of the first nine styles, and says so.
+        A model and its style bank. Only LPN-FiLM runs in a page. Of another model, the page plays
+        recorded walks of the first nine styles, and says so.
     path, title
         The file to write, and the heading of the page.
     styles
@@ -72,8 +72,7 @@ def web(model, bank, path: str | os.PathLike, *, title: str = "A character under
         Store the experts' weights as float16, rounded to 3 decimal digits: half the file. The
         embedded model's are float16 already.
     character
-        A glTF or VRM file with a skinned mesh, drawn in place of the mannequin. It follows the
-        model's joints without foot IK of its own.
+        As in `toolkit.view.play`, but it follows the model's joints without foot IK of its own.
     characters
         Number of characters. All but the first, which the user steers, walk on rings around the
         start, each in the next style of the bank at its natural speed. The page computes all of
@@ -185,14 +184,13 @@ def _others(bank, count: int) -> list[dict[str, Any]]:
     """Characters on rings, each in another style than its neighbours."""
     if not count:
         return []
-    middle = body.rgb(body.COLORS["middle"]) ** 2.2
+    middle = body.rgb(body.COLORS["middle"]) ** 2.2  # linear light
     tints = [(0.6 * (body.rgb(color) ** 2.2 - middle)).round(4).tolist() for color in body.PALETTE]
     made = []
-    for i, place in enumerate(zip(*registry.find("crowd.places")(count), strict=True)):
+    for i, place in enumerate(torch.stack(registry.find("crowd.places")(count), 1).tolist()):
         style = (i + 1) % len(bank.names)
-        radius, angle, way = map(float, place)
-        made.append({"style": style, "radius": radius, "angle": angle, "way": way,
-                     "tint": tints[i % len(tints)], "speed": bank.speed(bank.names[style])})
+        made.append(dict(zip(("radius", "angle", "way"), place, strict=True)) | {
+            "style": style, "tint": tints[i % len(tints)], "speed": bank.speed(bank.names[style])})
     return made
 
 

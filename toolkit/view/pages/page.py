@@ -35,8 +35,8 @@ def html(
 
     Parameters
     ----------
-    clips, labels, contacts
-        As in `toolkit.view.play`; up to nine clips, which are shown side by side.
+    clips, labels, contacts, character
+        As in `toolkit.view.play`; up to nine clips.
     path
         The file to write.
     title, caption
@@ -44,9 +44,6 @@ def html(
     styles
         Weights of a style blend over time: ``{name: [F]}``, or one such mapping (or None) per clip.
         Three styles or more are shown as a polygon with a moving marker.
-    character
-        A glTF or VRM file with a skinned mesh, drawn in place of the mannequin
-        (`toolkit.extra.characters.character.Character`).
 
     Raises
     ------
@@ -100,8 +97,8 @@ def pack(
             bodies[clip.skeleton] = skeleton_data(clip)
         else:
             bodies[clip.skeleton] = tree(clip.skeleton) | {"mesh": figure.packed()}
-    numbers = {skeleton: k for k, skeleton in enumerate(bodies)}
-    packed = [_packed(clip, *row) | {"skeleton": numbers[clip.skeleton]}
+    numbers = list(bodies)
+    packed = [_packed(clip, *row) | {"skeleton": numbers.index(clip.skeleton)}
               for clip, *row in zip(clips, labels, contacts, styles, strict=True)]
     return clips, bodies, packed
 

@@ -48,27 +48,19 @@ def animate(
 
     Parameters
     ----------
-    clips
-        One clip or several.
+    clips, labels, contacts, character
+        As in `toolkit.view.play`; a label is the text of a cell.
     path
         File to write: ``.gif``, ``.png`` or ``.apng`` (animated), ``.webp`` or ``.mp4`` (H.264,
         needs PyAV).
-    labels
-        Text of each cell, by default style and gait, else the clip's name.
     fps
         Pictures per second.
     height
         Height of a cell in pixels; its width follows from how far the arms reach.
     view
         Degrees of the camera from the facing direction; 90 is from the right side.
-    contacts
-        Foot contacts [F, 2] (right, left), above one half where a foot stands, or one array per
-        clip; shown on the feet.
     progress
         Whether to show a bar.
-    character
-        A glTF or VRM file with a skinned mesh, drawn in place of the mannequin; the clips are put
-        on its rig.
 
     Raises
     ------
@@ -110,21 +102,20 @@ class _Follow:
         straight = np.linspace(walked[0], walked[-1], len(walked))
         swings = gaussian_filter1d(walked - straight, 0.25 * clip.fps, axis=0, mode="wrap")
         self.path = straight + swings
-        mean = np.arctan2(np.sin(facing).mean(), np.cos(facing).mean())
-        self.azimuth, self.tilt = mean - np.radians(view), TILT
-        frames = np.arange(len(clip))
-        low, high = body.seen(frames, self.path, self.azimuth, self.tilt)
+        self.azimuth = np.arctan2(np.sin(facing).mean(), np.cos(facing).mean()) - np.radians(view)
+        low, high = body.seen(np.arange(len(clip)), self.path, self.azimuth, TILT)
         self.reach, self.top = max(-low[0], high[0]), high[1]
         # Lines across the way are so far apart that the next round begins on one.
         travel = (walked[-1] - walked[0]) * (len(walked) / max(len(walked) - 1, 1))
-        length = float(np.linalg.norm(travel))
-        heading = np.arctan2(travel[0], travel[2]) if length > GRID else facing[0]
-        apart = length / round(length / GRID) if length > GRID else GRID
+        length, heading, apart = float(np.linalg.norm(travel)), facing[0], GRID
+        if length > GRID:
+            heading = np.arctan2(travel[0], travel[2])
+            apart = length / round(length / GRID)
         self.lines = Lines(3.0, heading, (apart, GRID), self.path[0])
 
     def open(self, reach: float, top: float, scale: float) -> None:
         """Open a stage: ``reach`` metres to either side, ``top`` high, ``scale`` pixels each."""
-        self.height, self.middle = top - BOTTOM, (top + BOTTOM) / 2 / np.cos(self.tilt)
+        self.height, self.middle = top - BOTTOM, (top + BOTTOM) / 2 / np.cos(TILT)
         self.stage = open_stage([self.body], (round(2 * reach * scale), round(self.height * scale)),
                                 np.array([-0.25, 1.0, 0.25]) @ axes(self.azimuth, 0.0), self.lines)
 
@@ -132,7 +123,7 @@ class _Follow:
         """The picture at a time; a clip that is over starts again."""
         frame = round(seconds * self.body.clip.fps) % len(self.body.clip)
         target = self.path[frame] + [0.0, self.middle, 0.0]
-        camera = Camera(target, self.azimuth, self.tilt, self.height)
+        camera = Camera(target, self.azimuth, TILT, self.height)
         return Image.fromarray(self.stage.draw([Pose(self.body, frame)], camera))
 
 

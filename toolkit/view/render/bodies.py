@@ -48,18 +48,18 @@ class Lines:
 
     def segments(self) -> np.ndarray:
         """Ends ``[N, 2, 3]`` of pieces of lines around a crossing."""
-        (along, across), steps = self.spacing, [int(self.reach / s) for s in self.spacing]
-        z, x = (s * np.arange(-n, n + 1) for s, n in zip((along, across), steps, strict=True))
+        along, across = self.spacing
+        z, x = (s * np.arange(-int(self.reach / s), int(self.reach / s) + 1) for s in self.spacing)
         places = np.stack(np.meshgrid(x, [0.0], z, indexing="ij"), -1).reshape(-1, 3)
         pieces = [np.stack((places, places + step), 1) for step in ([0, 0, along], [across, 0, 0])]
         return np.concatenate(pieces) @ axes(self.heading, 0.0)
 
     def crossing(self, point: np.ndarray) -> np.ndarray:
         """The crossing [3] nearest to a point."""
-        across, along = self.spacing[::-1]
-        turn, size = axes(self.heading, 0.0), np.array([across, 1.0, along])
-        nearest = np.round(turn @ (point - self.start) / size) * [1, 0, 1]
-        return self.start * [1, 0, 1] + (nearest * size) @ turn
+        along, across = self.spacing
+        turn, size, flat = axes(self.heading, 0.0), np.array([across, 1.0, along]), [1, 0, 1]
+        nearest = np.round(turn @ (point - self.start) / size) * flat
+        return self.start * flat + (nearest * size) @ turn
 
     def colors(self, segments: np.ndarray) -> np.ndarray:
         """Colours ``[..., 3]`` of ends of the pieces, 0 to 1."""
@@ -134,10 +134,10 @@ def cast(clips: Clip | Sequence[Clip], labels: Sequence[str] | None, contacts,
     feet = [None] * len(clips) if contacts is None else contacts
     feet = feet if isinstance(feet, list | tuple) else [feet]
     feet = [None if one is None else np.asarray(one, dtype=np.float32) for one in feet]
-    shapes, wanted = [getattr(one, "shape", None) for one in feet], [(len(c), 2) for c in clips]
+    shapes = [getattr(one, "shape", None) for one in feet]
     if len(feet) != len(clips) or any(
-            shape not in (None, fits) for shape, fits in zip(shapes, wanted, strict=True)):
-        raise ValueError(f"contacts must be [F, 2] for each clip of {[n for n, _ in wanted]} "
+            shape not in (None, (len(clip), 2)) for shape, clip in zip(shapes, clips, strict=True)):
+        raise ValueError(f"contacts must be [F, 2] for each clip of {list(map(len, clips))} "
                          f"frames; got {shapes}")
     return [figure.fitted(clip) for clip in clips] if figure else clips, list(labels), feet
 

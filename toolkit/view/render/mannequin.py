@@ -3,8 +3,7 @@
 Each part is a rounded cone that follows one joint, in the joint's own axes, so that no bind pose is
 needed. Where a part lies on its joint follows from the next joint, and from where up and ahead are:
 those of a skeleton whose zero rotations stand upright, or else means over the clip, and the floor
-under a standing foot. Radii are in metres of a body whose legs are `LEG`
-long.
+under a standing foot. Radii are in metres of a body whose legs are `LEG` long.
 """
 
 from collections.abc import Sequence
@@ -14,7 +13,7 @@ from itertools import pairwise
 import numpy as np
 import torch
 
-from toolkit.motion import Clip, Skeleton, forward_kinematics, rotations as R
+from toolkit.motion import Clip, Skeleton, rotations as R
 from toolkit.motion.clip import root_frames
 from toolkit.motion.roles import SIDES
 from toolkit.motion.skeleton import FEET
@@ -93,12 +92,13 @@ class Part:
 
         It has ``around`` vertices in a ring.
         """
+        # y along the part, z where it is pressed flat
         length = np.linalg.norm(self.end - self.start)
         y = (self.end - self.start) / length if length > 1e-6 else np.array([0.0, 1.0, 0.0])
-        z = np.eye(3)[np.abs(y).argmin()] if self.thin is None else self.thin
-        if np.linalg.norm(np.cross(y, z)) < 1e-3:
+        z = self.thin
+        if z is None or np.linalg.norm(np.cross(y, z)) < 1e-3:
             z = np.eye(3)[np.abs(y).argmin()]
-        x = np.cross(y, z) / np.linalg.norm(np.cross(y, z))
+        x = _unit(np.cross(y, z))
         axes = np.stack((x, y, np.cross(x, y)))
 
         # a half sphere at each end; the rings where they begin lie where the cone touches them
@@ -150,9 +150,10 @@ def build(clip: Clip, vertices: int = VERTICES) -> Mannequin:
     ring *= np.sqrt(2 * vertices / (ring**2).sum())
     meshes = [part.mesh(max(4, round(a - 2))) for part, a in zip(parts, ring, strict=True)]
     counts = [len(points) for points, *_ in meshes]
-    points, normals, light = (np.concatenate([mesh[i] for mesh in meshes]) for i in (0, 1, 3))
+    points, normals, triangles, light = map(np.concatenate, zip(*meshes, strict=True))
+    # the triangles of a part count its own vertices
     first = np.cumsum([0, *counts[:-1]])
-    triangles = np.concatenate([mesh[2] + i for mesh, i in zip(meshes, first, strict=True)])
+    triangles += np.repeat(first, [len(mesh[2]) for mesh in meshes])[:, None]
     joints, weights = (np.zeros((len(points), SLOTS), t) for t in (int, np.float32))
     joints[:, 0], weights[:, 0] = np.repeat([part.joint for part in parts], counts), 1.0
     inverse = np.tile(np.eye(3, 4), (len(clip.skeleton), 1, 1))
@@ -169,14 +170,11 @@ def _bones(clip: Clip, drawn: set[int]) -> list[Part]:
     A humanoid's short bones that are no fingers, such as those of a face, are left out.
     """
     skeleton, offsets = clip.skeleton, clip.skeleton.offsets.double().numpy()
-    fingers = {j for side in SIDES if drawn
-               for j in skeleton.tree.below(skeleton.role(f"{side}_hand"))}
-    toes = {j for side in SIDES if drawn
-            for j in skeleton.tree.below(skeleton.role(f"{side}_foot"))}
-    rest = np.zeros((len(skeleton), 3))
-    for j, parent in enumerate(skeleton.parents[1:], 1):
-        rest[j] = rest[parent] + offsets[j]
-    scale = max(float(np.ptp(rest, axis=0).max()) / TALL, 1e-6)
+    fingers, toes = set(), set()
+    for side in SIDES if drawn else ():
+        fingers.update(skeleton.tree.below(skeleton.role(f"{side}_hand")))
+        toes.update(skeleton.tree.below(skeleton.role(f"{side}_foot")))
+    scale = max(float(np.ptp(skeleton.rest_positions.numpy(), axis=0).max()) / TALL, 1e-6)
     parts = []
     for j, parent in enumerate(skeleton.parents[1:], 1):
         length = float(np.linalg.norm(offsets[j]))
@@ -206,9 +204,7 @@ class _Places:
 
     def _standing(self) -> dict[str, np.ndarray]:
         """Left, up and ahead [3] of the zero rotations; empty if these are no standing figure."""
-        still = torch.zeros(len(self.clip.skeleton), 4, dtype=torch.float64)
-        still[:, 0] = 1.0
-        places = forward_kinematics(self.clip.skeleton, still, torch.zeros(3).double())[1].numpy()
+        places = self.clip.skeleton.rest_positions.double().numpy()
         up, bones = np.array([0.0, 1.0, 0.0]), []
         for side in SIDES:
             hip, foot, shoulder = (places[self.role(f"{side}_{p}")]

@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 
 from toolkit.io.files import atomic_write
 from toolkit.io.save import figure_of
-from toolkit.motion import Clip, root_frames, rotations as R
+from toolkit.motion import Clip, root_frames
 from toolkit.view.render.bodies import BACK, Body, Camera, Pose, axes, cast, steady_frames
 from toolkit.view.render.skin import Figure as Character
 from toolkit.view.render.stage import open_stage
@@ -47,7 +47,7 @@ def strip(
     Parameters
     ----------
     clips, labels, contacts, character
-        As in `toolkit.view.animate`; a label is the text of a row.
+        As in `toolkit.view.play`; a label is the text of a row.
     path
         PNG file to write (any format matplotlib knows).
     frames
@@ -68,8 +68,7 @@ def strip(
     for clip, feet in zip(clips, contacts, strict=True):
         at = instants(clip, frames)
         walked, facing = steady_frames(clip, 0.5)
-        rows.append(_Row(Body(clip, feet, own), at, walked[at], facing[at] - np.radians(VIEW),
-                         TILT))
+        rows.append(_Row(Body(clip, feet, own), at, walked[at], facing[at] - np.radians(VIEW)))
     # All rows have the columns of the widest body, and room for the label above the tallest.
     spacing = max(0.7, *(2 * row.reach + 0.04 for row in rows))
     room = max(0.2, 0.34 * spacing * frames / width)
@@ -78,9 +77,10 @@ def strip(
     total = sum(heights)
     figure = Picture(figsize=(width, total), dpi=dpi, facecolor=BACK)
     FigureCanvasAgg(figure)
-    for i, (image, text, row) in enumerate(zip(images, labels, rows, strict=True)):
-        high = heights[i]
-        axes = figure.add_axes((0, sum(heights[i + 1 :]) / total, 1, high / total))
+    bottom = total
+    for image, high, text, row in zip(images, heights, labels, rows, strict=True):
+        bottom -= high
+        axes = figure.add_axes((0, bottom / total, 1, high / total))
         axes.imshow(image, extent=(0, width, 0, high), aspect="auto", interpolation="antialiased")
         axes.set_axis_off()
         axes.set(xlim=(0, width), ylim=(0, high))
@@ -105,10 +105,10 @@ def instants(clip: Clip, count: int) -> np.ndarray:
     even = np.linspace(0, len(clip) - 1, count).round().astype(int)
     if not clip.skeleton.has("foot", "hip", "shoulder") or len(clip) <= count:
         return even
-    # how far the left foot is ahead of the right one, and its phase
+    # how far the left foot is ahead of the right one, and the phase of its analytic signal
     right, left = (clip.global_positions[:, clip.skeleton.role(f"{side}_foot")]
                    for side in ("right", "left"))
-    curve = R.rotate(R.inverse(root_frames(clip).rotations), left - right)[:, 2].double().numpy()
+    curve = root_frames(clip).turn_to_local(left - right)[:, 2].double().numpy()
     if curve.std() < STEP:
         return even
     ahead = np.fft.fftfreq(len(curve)) > 0
@@ -130,24 +130,20 @@ class _Row:
     ``azimuth`` [N]. ``reach`` and ``top`` are how far the body goes to either side and upwards.
     """
 
-    def __init__(self, body: Body, frames: np.ndarray, path: np.ndarray, azimuth: np.ndarray,
-                 tilt: float):
-        self.body, self.frames, self.path = body, frames, path
-        self.turns, self.tilt = axes(azimuth, 0.0), tilt
-        low, high = body.seen(frames, path, azimuth, tilt)
+    def __init__(self, body: Body, frames: np.ndarray, path: np.ndarray, azimuth: np.ndarray):
+        self.body, self.frames, self.path, self.turns = body, frames, path, axes(azimuth, 0.0)
+        low, high = body.seen(frames, path, azimuth, TILT)
         self.reach, self.top = max(-low[0], high[0]), high[1]
 
     def draw(self, spacing: float, pixels: int, room: float) -> np.ndarray:
         """Picture [H, W, 3], ``spacing`` metres for each frame and ``room`` above the heads."""
         wide, high = spacing * len(self.frames), self.top + room - BOTTOM
-        middle = np.array([wide / 2, (self.top + room + BOTTOM) / 2 / np.cos(self.tilt), 0.0])
+        middle = np.array([wide / 2, (self.top + room + BOTTOM) / 2 / np.cos(TILT), 0.0])
         poses = []
-        for k, (frame, place, turn) in enumerate(
-            zip(self.frames, self.path, self.turns, strict=True)
-        ):
-            column = np.array([(k + 0.5) * spacing, 0.0, 0.0])
+        for frame, place, turn in zip(self.frames, self.path, self.turns, strict=True):
+            column = np.array([(len(poses) + 0.5) * spacing, 0.0, 0.0])
             poses.append(Pose(self.body, frame, turn, column - turn @ place))
         stage = open_stage([self.body] * len(poses), (pixels, round(pixels * high / wide)),
                            np.array([-0.35, 1.0, 0.3]))
         with closing(stage):
-            return stage.draw(poses, Camera(middle, 0.0, self.tilt, high))
+            return stage.draw(poses, Camera(middle, 0.0, TILT, high))

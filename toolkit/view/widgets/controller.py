@@ -44,8 +44,7 @@ class Controller(CellWidget, Corners):
     size
         Width and height of the picture in pixels.
     character
-        A glTF or VRM file with a skinned mesh, drawn in place of the mannequin. It follows the
-        model's joints without foot IK of its own.
+        As in `toolkit.view.web`.
 
     Attributes
     ----------
@@ -233,13 +232,11 @@ def _valid(message: Mapping) -> dict | None:
         return [x, y]
 
     try:
-        heading = message["heading"]
-        found = {
-            "id": int(message["id"]), "move": pair(message["move"]), "turn": float(message["turn"]),
-            "run": bool(message["run"]), "heading": None if heading is None else pair(heading)
-        }
+        number, move, turn = int(message["id"]), pair(message["move"]), float(message["turn"])
+        run, heading = bool(message["run"]), message["heading"]
+        heading = None if heading is None else pair(heading)
     except (KeyError, OverflowError, TypeError, ValueError):
         return None
-    numbers = (*found["move"], found["turn"], *(found["heading"] or ()))
-    right = all(abs(x) <= 2 for x in numbers) and abs(found["id"]) < 2**53  # as JavaScript counts
-    return found if right else None
+    if abs(number) >= 2**53 or not all(abs(x) <= 2 for x in (*move, turn, *(heading or ()))):
+        return None  # JavaScript counts to 2**53
+    return {"id": number, "move": move, "turn": turn, "run": run, "heading": heading}
