@@ -292,6 +292,51 @@ def test_a_pin_is_added_dragged_and_reached(desk):
     assert desk.shots[0].pins == ()
 
 
+def test_a_shot_is_mirrored_reversed_cut_and_joined(desk):
+    plan = {"path": [[0, 0], [0, 2], [1, 3]], "styles": [[0, "Neutral"], [1.5, "Old", "in"]],
+            "holds": [{"seconds": 0.5, "distance": 1}], "pins": [{"at": 1, "left_hand": [0.5, 1, 1]}]}
+    desk.open({"version": 1, "shots": [plan, {"path": [[5, 5], [6, 5]], "styles": "Zombie"}]})
+    before = desk.shots[0]
+    desk.press("Mirror this shot: left and right change places")
+    (shot, _) = desk.shots
+    assert [(p.x, p.z) for p in shot.path] == [(0, 0), (0, 2), (-1, 3)]
+    assert shot.pins[0].right_hand == (-0.5, 1, 1) and shot.pins[0].left_hand is None
+    desk.press("Mirror this shot: left and right change places")
+    assert desk.shots[0] == before
+    desk.wait()
+    end = desk.page.evaluate("() => view.desk.take(0).course.end")
+    desk.press("Walk the path from its end to its start")
+    (shot, _) = desk.shots
+    assert [(p.x, p.z) for p in shot.path] == [(1, 3), (0, 2), (0, 0)]
+    assert [list(key.blend) for key in shot.styles] == [["Old"], ["Neutral"]]
+    assert [key.time for key in shot.styles] == pytest.approx([end - 1.5, end], abs=2e-3)
+    assert shot.styles[0].easing == "smooth" and shot.pins[0].at == pytest.approx(end - 1, abs=2e-3)
+
+    desk.open({"version": 1, "shots": [plan, {"path": [[5, 5], [6, 5]], "styles": "Zombie"}]})
+    desk.page.evaluate("() => view.seek(0.75)")
+    half = desk.page.evaluate("() => view.desk.take(0).course.distance[45]")
+    desk.press("Cut off what is before this time")
+    (shot, _) = desk.shots
+    assert (shot.path[0].x, shot.path[0].z) == pytest.approx((0, half), abs=0.05)
+    assert [key.time for key in shot.styles] == [0, 0.75] and shot.pins[0].at == 0.25
+    assert shot.styles[0].blend == pytest.approx({"Neutral": 0.5, "Old": 0.5})
+    assert shot.holds[0].distance == pytest.approx(1 - half, abs=1e-3)
+    desk.wait()
+    end = desk.page.evaluate("() => view.desk.take(0).course.end")
+    desk.press("Put the shot of the next character at the end of this one")
+    (joined,) = desk.shots
+    assert joined.path[: len(shot.path)] == shot.path
+    x, z = (math.sqrt(0.5) * v for v in (1, 1))  # the first one ends to the front and right
+    last = joined.path[-1]
+    assert math.hypot(last.x - 1, last.z - 3) == pytest.approx(1, abs=1e-3)
+    assert last.x - 1 > 0.5 * x and last.z - 3 > 0.3 * z
+    assert joined.styles[-1].time == pytest.approx(end, abs=2e-3)
+    assert joined.styles[-1].blend == {"Zombie": 1}
+    desk.press("Put the shot of the next character at the end of this one")
+    said = desk.page.get_by_role("status", name="What cannot be met")
+    assert "no next one" in said.inner_text()
+
+
 def test_shots_and_motion_are_saved_and_opened(desk, tmp_path):
     page = desk.page
     desk.press("Add a character")

@@ -2,6 +2,7 @@
 //
 // shotForm(parent, desk, {select, edit, remove}) returns {draw(selected)}; selected = {list, k} or null. `remove` removes it.
 import { EASINGS } from "./course.js";
+import { joined, mirrored, reversed, trimmed } from "./edits.js";
 import { LIMBS } from "./pins.js";
 import { make } from "./player.js";
 import { blendAt, speedOf } from "./shot.js";
@@ -114,6 +115,20 @@ export function shotForm(parent, desk, { select, edit, remove }) {
     const goal = look ? "look_at" : facing && "facing";
     if (goal) ["x", "z"].forEach((axis, i) => field(look ? `${axis} of it, m` : `to ${axis}`, () => here()[goal]?.[i], (one, value) => (one[goal][i] = value)));
     for (const [name, text] of Object.entries(SWITCHES)) plain(text, name, { type: "checkbox" });
+    const row = make("div", "tkd-row", box), now = () => Math.round(100 * desk.seconds) / 100;
+    const whole = (text, label, act) => button(row, text, label, () => edit((shots) => {
+      const { selected: k } = desk;
+      shots[k] = act(shots[k], desk.take(k).course);
+    }));
+    whole("Mirror", "Mirror this shot: left and right change places", mirrored);
+    whole("Reverse", "Walk the path from its end to its start", reversed);
+    whole("Cut before", "Cut off what is before this time", (one, course) => trimmed(one, course, now()));
+    whole("Cut after", "Cut off what is after this time", (one, course) => trimmed(one, course, 0, now()));
+    button(row, "Join next", "Put the shot of the next character at the end of this one", () => edit((shots) => {
+      const { selected: k } = desk;
+      if (!shots[k + 1]) throw new Error("the last character has no next one whose shot can be joined");
+      shots.splice(k, 2, joined(shots[k], desk.take(k).course, shots[k + 1], desk.take(k + 1).course, desk));
+    }));
   }
 
   // adds a key at the present time, with the values that are there
