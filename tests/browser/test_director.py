@@ -294,13 +294,14 @@ def test_a_pin_is_added_dragged_and_reached(desk):
 
 def test_a_shot_is_mirrored_reversed_cut_and_joined(desk):
     plan = {"path": [[0, 0], [0, 2], [1, 3]], "styles": [[0, "Neutral"], [1.5, "Old", "in"]],
-            "holds": [{"seconds": 0.5, "distance": 1}], "pins": [{"at": 1, "left_hand": [0.5, 1, 1]}]}
+            "holds": [{"seconds": 0.5, "distance": 1}],
+            "pins": [{"at": 1, "left_hand": [0.5, 1, 1]}]}
     desk.open({"version": 1, "shots": [plan, {"path": [[5, 5], [6, 5]], "styles": "Zombie"}]})
     before = desk.shots[0]
     desk.press("Mirror this shot: left and right change places")
     (shot, _) = desk.shots
     assert [(p.x, p.z) for p in shot.path] == [(0, 0), (0, 2), (-1, 3)]
-    assert shot.pins[0].right_hand == (-0.5, 1, 1) and shot.pins[0].left_hand is None
+    assert (shot.pins[0].right_hand, shot.pins[0].left_hand) == ((-0.5, 1, 1), None)
     desk.press("Mirror this shot: left and right change places")
     assert desk.shots[0] == before
     desk.wait()
@@ -310,7 +311,8 @@ def test_a_shot_is_mirrored_reversed_cut_and_joined(desk):
     assert [(p.x, p.z) for p in shot.path] == [(1, 3), (0, 2), (0, 0)]
     assert [list(key.blend) for key in shot.styles] == [["Old"], ["Neutral"]]
     assert [key.time for key in shot.styles] == pytest.approx([end - 1.5, end], abs=2e-3)
-    assert shot.styles[0].easing == "smooth" and shot.pins[0].at == pytest.approx(end - 1, abs=2e-3)
+    assert shot.styles[0].easing == "smooth"
+    assert shot.pins[0].at == pytest.approx(end - 1, abs=2e-3)
 
     desk.open({"version": 1, "shots": [plan, {"path": [[5, 5], [6, 5]], "styles": "Zombie"}]})
     desk.page.evaluate("() => view.seek(0.75)")
@@ -318,7 +320,8 @@ def test_a_shot_is_mirrored_reversed_cut_and_joined(desk):
     desk.press("Cut off what is before this time")
     (shot, _) = desk.shots
     assert (shot.path[0].x, shot.path[0].z) == pytest.approx((0, half), abs=0.05)
-    assert [key.time for key in shot.styles] == [0, 0.75] and shot.pins[0].at == 0.25
+    assert [key.time for key in shot.styles] == [0, 0.75]
+    assert shot.pins[0].at == 0.25
     assert shot.styles[0].blend == pytest.approx({"Neutral": 0.5, "Old": 0.5})
     assert shot.holds[0].distance == pytest.approx(1 - half, abs=1e-3)
     desk.wait()
@@ -326,10 +329,9 @@ def test_a_shot_is_mirrored_reversed_cut_and_joined(desk):
     desk.press("Put the shot of the next character at the end of this one")
     (joined,) = desk.shots
     assert joined.path[: len(shot.path)] == shot.path
-    x, z = (math.sqrt(0.5) * v for v in (1, 1))  # the first one ends to the front and right
-    last = joined.path[-1]
-    assert math.hypot(last.x - 1, last.z - 3) == pytest.approx(1, abs=1e-3)
-    assert last.x - 1 > 0.5 * x and last.z - 3 > 0.3 * z
+    ahead = [joined.path[-1].x - 1, joined.path[-1].z - 3]  # the first shot ends at (1, 3)
+    assert math.hypot(*ahead) == pytest.approx(1, abs=1e-3)
+    assert min(ahead) > 0.3
     assert joined.styles[-1].time == pytest.approx(end, abs=2e-3)
     assert joined.styles[-1].blend == {"Zombie": 1}
     desk.press("Put the shot of the next character at the end of this one")
