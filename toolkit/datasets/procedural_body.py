@@ -73,8 +73,7 @@ def pose(plan: Plan, feet: dict[str, Foot]) -> tuple[Tensor, Tensor]:
     local = _upper_body(plan, rhythm)
 
     # legs from the feet to a pelvis within their reach
-    legs = _Legs(plan, rhythm, feet, local[:, :1])
-    turned = legs.solve()
+    turned, hips = _legs(plan, rhythm, feet, local[:, :1])
     for i, name in enumerate(("Left", "Right")):
         local[:, [_J[name + part] for part in ("Hip", "Knee", "Ankle", "Toe")]] = turned[:, i]
 
@@ -82,8 +81,8 @@ def pose(plan: Plan, feet: dict[str, Foot]) -> tuple[Tensor, Tensor]:
     for side in SIDES:
         arm = plan.style.arm(side)
         if arm.hand_at is not None:
-            _pin_hand(local, legs.hips, side, arm)
-    return local.float(), legs.hips.float()
+            _pin_hand(local, hips, side, arm)
+    return local.float(), hips.float()
 
 
 def _upper_body(plan: Plan, rhythm: _Rhythm) -> Tensor:
@@ -175,114 +174,97 @@ def _hips(plan: Plan, rhythm: _Rhythm) -> tuple[np.ndarray, np.ndarray]:
     return np.stack((x, np.zeros(frames), z), 1), wanted
 
 
-class _Legs:
-    """Legs over F frames, the left one first: arrays ``[F, 2]``, positions ``[F, 2, 3]``.
+def _legs(plan: Plan, rhythm: _Rhythm, feet: dict[str, Foot],
+          pelvis: Tensor) -> tuple[Tensor, Tensor]:
+    """Local rotations ``[F, 2, 4, 4]`` of hip, knee, ankle and toe, and the hips ``[F, 3]``.
 
-    A raised leg has no `Foot`. ``hips [F, 3]`` and ``ankles`` are set by the first steps of `solve`
-    and moved by the later ones.
+    The left leg comes first: arrays are ``[F, 2]``, positions ``[F, 2, 3]``.
     """
+    shape = len(plan.t), len(SIDES)
+    yaw, pitch, toe_pitch, air, slack, kick = (np.zeros(shape) for _ in range(6))
+    ankles = torch.zeros(*shape, 3, dtype=torch.float64)
+    for name, foot in feet.items():  # a raised leg has none
+        i = SIDES.index(name)
+        yaw[:, i], pitch[:, i] = foot.yaw, foot.pitch
+        air[:, i], slack[:, i], kick[:, i] = foot.air, foot.slack, foot.kick
+        toe_pitch[:, i] = foot.pitch - np.minimum(foot.pitch, 0) * foot.flatness
+        sole = R.rotate(_foot_rotation(foot.yaw, foot.pitch), _FOOT)
+        ankles[:, i] = torch.from_numpy(foot.toe) - sole
 
-    def __init__(self, plan: Plan, rhythm: _Rhythm, feet: dict[str, Foot], pelvis: Tensor):
-        self.plan, self.rhythm, self.feet, self.pelvis = plan, rhythm, feet, pelvis
-        shape = len(plan.t), len(SIDES)
-        self.facing = R.yaw(torch.from_numpy(plan.root[:, 2]))
-        self.yaw, self.pitch, self.air, self.slack, self.kick = (np.zeros(shape) for _ in range(5))
-        self.toes = np.zeros(shape)  # pitch of the toes
-        self.ankles = torch.zeros(*shape, 3, dtype=torch.float64)
-        for name, foot in feet.items():
-            i = SIDES.index(name)
-            for what in ("yaw", "pitch", "air", "slack", "kick"):
-                getattr(self, what)[:, i] = getattr(foot, what)
-            self.toes[:, i] = foot.pitch - np.minimum(foot.pitch, 0) * foot.flatness
-            sole = R.rotate(_foot_rotation(foot.yaw, foot.pitch), _FOOT)
-            self.ankles[:, i] = torch.from_numpy(foot.toe) - sole
+    # from the hips to the hip joints, and the length of a leg
+    joints = [_J["LeftHip"], _J["RightHip"]]
+    offsets = R.rotate(pelvis, SKELETON.offsets[joints].double())
+    knee, ankle = SKELETON.offsets[[_J["LeftKnee"], _J["LeftAnkle"]], 1]
+    length = float(-knee - ankle)
 
-        # from the hips to the hip joints, and the length of a leg
-        self.joints = [_J["LeftHip"], _J["RightHip"]]
-        self.offsets = R.rotate(pelvis, SKELETON.offsets[self.joints].double())
-        knee, ankle = SKELETON.offsets[[_J["LeftKnee"], _J["LeftAnkle"]], 1]
-        self.length = float(-knee - ankle)
+    # the height of the hips at which the first leg would be straight
+    hips, wanted = _hips(plan, rhythm)
+    ceiling = np.full(len(hips), 9.0)
+    for name, foot in feet.items():
+        i = SIDES.index(name)
+        gap = (ankles[:, i] - offsets[:, i]).numpy() - hips
+        flat = np.minimum(np.hypot(gap[:, 0], gap[:, 2]), 0.9 * length)
+        straight = gap[:, 1] + 0.1 * foot.air + np.sqrt((0.999 * length) ** 2 - flat**2)
+        ceiling = np.minimum(ceiling, straight)
 
-    def solve(self) -> Tensor:
-        """Local rotations ``[F, 2, 4, 4]`` of hip, knee, ankle and toe."""
-        self._place_hips()
-        self._raise()
-        self._swing()
-        thigh, shin = self._knees()
-        feet, toes = (torch.stack([_foot_rotation(self.yaw[:, i], pitch[:, i]) for i in (0, 1)], 1)
-                      for pitch in (self.pitch, self.toes))
-        chain = torch.stack((self.pelvis.expand(-1, 2, 4), thigh, shin, feet, toes), 2)
-        return R.multiply(R.inverse(chain[:, :, :-1]), chain[:, :, 1:])
+    # the hips are as high as style and legs allow: a smooth minimum of both
+    run = plan.running
+    low = (1 - run) * _below(ceiling, 4) + run * _below(ceiling, 9)
+    hips[:, 1] = (wanted + low - np.sqrt((wanted - low) ** 2 + 0.002**2)) / 2
+    hips = torch.from_numpy(hips)
+    hip = hips[:, None] + offsets
+    facing = R.yaw(torch.from_numpy(plan.root[:, 2]))
 
-    def _place_hips(self) -> None:
-        """The hips are as high as style and legs allow: a smooth minimum of both."""
-        # the height at which the first leg would be straight
-        hips, wanted = _hips(self.plan, self.rhythm)
-        ceiling = np.full(len(hips), 9.0)
-        for name, foot in self.feet.items():
-            i = SIDES.index(name)
-            gap = (self.ankles[:, i] - self.offsets[:, i]).numpy() - hips
-            flat = np.minimum(np.hypot(gap[:, 0], gap[:, 2]), 0.9 * self.length)
-            straight = gap[:, 1] + 0.1 * foot.air + np.sqrt((0.999 * self.length) ** 2 - flat**2)
-            ceiling = np.minimum(ceiling, straight)
+    # the raised leg of a hopping style is bent backwards
+    for i, name in enumerate(SIDES):
+        if name not in feet:
+            bent = torch.tensor([0.0, -0.47, -0.27], dtype=torch.float64)
+            ankles[:, i] = hips + offsets[:, i] + R.rotate(facing, bent)
+            ankles[:, i, 1] += torch.from_numpy(0.03 * rhythm.sin)
+            yaw[:, i] = plan.root[:, 2]
+            pitch[:, i] = toe_pitch[:, i] = -1.1
 
-        run = self.plan.running
-        low = (1 - run) * _below(ceiling, 4) + run * _below(ceiling, 9)
-        hips[:, 1] = (wanted + low - np.sqrt((wanted - low) ** 2 + 0.002**2)) / 2
-        self.hips = torch.from_numpy(hips)
+    # in the swing a kicking leg is straight: its direction is blended with that of the kick …
+    reach = ankles - hip
+    far = reach.norm(dim=-1, keepdim=True)
+    angles = [math.radians(plan.style.leg(side).kick) for side in SIDES]
+    angle = torch.tensor(angles, dtype=torch.float64)
+    aim = torch.stack((0 * angle, -torch.cos(angle), torch.sin(angle)), -1) * angle.sign()[:, None]
+    weight = torch.from_numpy(kick)[..., None] * angle.sign()[:, None]
+    kicked = R.rotate(facing[:, None], aim)
+    aim = R.normalize((1 - weight) * reach / far + weight * kicked)
 
-    def _raise(self) -> None:
-        """The raised leg of a hopping style is bent backwards."""
-        for i, name in enumerate(SIDES):
-            if name not in self.feet:
-                bent = torch.tensor([0.0, -0.47, -0.27], dtype=torch.float64)
-                self.ankles[:, i] = self.hips + self.offsets[:, i] + R.rotate(self.facing, bent)
-                self.ankles[:, i, 1] += torch.from_numpy(0.03 * self.rhythm.sin)
-                self.yaw[:, i] = self.plan.root[:, 2]
-                self.pitch[:, i] = self.toes[:, i] = -1.1
+    # … and its length with that of a straight one; no leg folds completely
+    folded = (FOLDED - far + ((FOLDED - far) ** 2 + 0.0025).sqrt()) / 2
+    far = far + torch.from_numpy(air)[..., None] * folded
+    ankles = hip + aim * (far + weight**3 * (0.985 * length - far))
 
-    def _swing(self) -> None:
-        """In the swing a kicking leg is straight, and no leg folds completely."""
-        hip = self.hips[:, None] + self.offsets
-        reach = self.ankles - hip
-        far = reach.norm(dim=-1, keepdim=True)
+    # the knee points between the directions of pelvis and foot; a swing may miss its target
+    turn = R.yaw(torch.from_numpy(yaw))
+    line = R.normalize(ankles - hip)
+    pole = torch.linalg.cross(line, R.rotate(pelvis, _X) + R.rotate(turn, _X))
+    rest = SKELETON.rest_positions.double()
+    straight = [hip + (rest[[_J["Left" + part], _J["Right" + part]]] - rest[joints])
+                for part in ("Knee", "Ankle")]
+    soft = torch.from_numpy(0.002 + 0.04 * slack)[..., None]
+    knee, ankle = two_bone(hip, *straight, ankles, pole, soft=soft)
+    hinge = R.normalize(torch.linalg.cross(pole, line))
+    thigh, shin = (R.from_matrix(torch.stack((hinge, y, torch.linalg.cross(hinge, y)), -1))
+                   for y in (R.normalize(hip - knee), R.normalize(knee - ankle)))
 
-        # the leg's direction is blended with that of the kick
-        angles = [math.radians(self.plan.style.leg(side).kick) for side in SIDES]
-        kick = torch.tensor(angles, dtype=torch.float64)
-        aim = torch.stack((0 * kick, -torch.cos(kick), torch.sin(kick)), -1) * kick.sign()[:, None]
-        weight = torch.from_numpy(self.kick)[..., None] * kick.sign()[:, None]
-        kicked = R.rotate(self.facing[:, None], aim)
-        aim = R.normalize((1 - weight) * reach / far + weight * kicked)
+    # in the swing the foot follows the shin, within the range of the ankle
+    up = knee - ankle
+    lean = torch.atan2((up * R.rotate(turn, _Z)).sum(-1), up[..., 1]).numpy()
+    for limit, sign in ((DORSAL, 1), (PLANTAR, -1)):
+        excess = sign * (pitch + lean - limit)
+        excess = sign * air * (excess + np.sqrt(excess**2 + 0.01)) / 2
+        pitch, toe_pitch = pitch - excess, toe_pitch - excess
 
-        # and its length with that of a straight one
-        folded = (FOLDED - far + ((FOLDED - far) ** 2 + 0.0025).sqrt()) / 2
-        far = far + torch.from_numpy(self.air)[..., None] * folded
-        self.ankles = hip + aim * (far + weight**3 * (0.985 * self.length - far))
-
-    def _knees(self) -> tuple[Tensor, Tensor]:
-        """World rotations ``[F, 2, 4]`` of thighs and shins; feet are kept in the ankles' range."""
-        # the knee points between the directions of pelvis and foot
-        hip, yaw = self.hips[:, None] + self.offsets, R.yaw(torch.from_numpy(self.yaw))
-        line = R.normalize(self.ankles - hip)
-        pole = torch.linalg.cross(line, R.rotate(self.pelvis, _X) + R.rotate(yaw, _X))
-        rest = SKELETON.rest_positions.double()
-        straight = [hip + (rest[[_J["Left" + part], _J["Right" + part]]] - rest[self.joints])
-                    for part in ("Knee", "Ankle")]
-        soft = torch.from_numpy(0.002 + 0.04 * self.slack)[..., None]  # a swing may miss its target
-        knee, ankle = two_bone(hip, *straight, self.ankles, pole, soft=soft)
-        hinge = R.normalize(torch.linalg.cross(pole, line))
-        thigh, shin = (R.from_matrix(torch.stack((hinge, y, torch.linalg.cross(hinge, y)), -1))
-                       for y in (R.normalize(hip - knee), R.normalize(knee - ankle)))
-
-        # in the swing the foot follows the shin, within the range of the ankle
-        up = knee - ankle
-        lean = torch.atan2((up * R.rotate(yaw, _Z)).sum(-1), up[..., 1]).numpy()
-        for limit, sign in ((DORSAL, 1), (PLANTAR, -1)):
-            excess = sign * (self.pitch + lean - limit)
-            excess = sign * self.air * (excess + np.sqrt(excess**2 + 0.01)) / 2
-            self.pitch, self.toes = self.pitch - excess, self.toes - excess
-        return thigh, shin
+    # world rotations from the pelvis outwards, as local ones
+    sole, toes = (torch.stack([_foot_rotation(yaw[:, i], tilt[:, i]) for i in (0, 1)], 1)
+                  for tilt in (pitch, toe_pitch))
+    chain = torch.stack((pelvis.expand(-1, 2, 4), thigh, shin, sole, toes), 2)
+    return R.multiply(R.inverse(chain[:, :, :-1]), chain[:, :, 1:]), hips
 
 
 def _below(ceiling: np.ndarray, half: int) -> np.ndarray:

@@ -1,7 +1,7 @@
 """Roles of joints (hips, knees, hands …) and left and right counterparts, from names and tree."""
 
 from collections import defaultdict
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property, lru_cache
 from itertools import combinations
 
@@ -153,19 +153,16 @@ def _in_order(words: list[JointName], path: list[int],
 
     Returns how many, minus the sum of the words' ranks, and the joints by part.
     """
-    # Dynamic programming: the best choice that ends in each part of the chain (-1: no part yet).
-    best: dict[int, tuple[int, int, dict[str, int]]] = {-1: (0, 0, {})}
+    # Dynamic programming: best[n] is the best choice among the first n parts. A joint takes one
+    # part, so the last part comes first: its choice must not see the joint in an earlier part.
+    best: list[tuple[int, int, dict[str, int]]] = [(0, 0, {})] * (len(chain) + 1)
     for j in path:
-        new = {}
-        for at, part in enumerate(chain):
+        for n, part in reversed(list(enumerate(chain))):
             if part in words[j].parts:
-                before = (best[k] for k in best if k < at)
-                count, ranks, places = max(before, key=lambda choice: choice[:2])
-                new[at] = count + 1, ranks - words[j].parts[part], places | {part: j}
-        for at, choice in new.items():
-            if at not in best or choice[:2] > best[at][:2]:
-                best[at] = choice
-    return max(best.values(), key=lambda choice: choice[:2])
+                count, ranks, places = best[n]
+                new = count + 1, ranks - words[j].parts[part], places | {part: j}
+                best[n + 1 :] = [new if new[:2] > old[:2] else old for old in best[n + 1 :]]
+    return best[-1]
 
 
 def _halved(words: list[JointName], tree: Tree, side: str, parts: tuple[str, ...],
@@ -242,25 +239,19 @@ def mirror_pairs(names: Sequence[str], parents: Sequence[int],
             join(a, b)
             a, b = parents[a], parents[b]
 
-    def join_children(a: int, b: int, alike: Callable[[int, int], bool]) -> None:
-        for child in tree.children[a]:
-            free = (j for j in tree.children[b] if j not in pairs and alike(child, j))
-            join(child, next(free, child))
-
-    def named_alike(a: int, b: int) -> bool:
-        return (_OTHER.get(words[a].side, ""), words[a].plain) == (words[b].side, words[b].plain)
-
-    def shaped_alike(a: int, b: int) -> bool:
-        return tree.shapes[a] == tree.shapes[b]
-
-    # From the root down: names that differ in the side, and children of counterparts.
-    first = {}  # joint by side and plain name
-    for j, name in enumerate(words):
-        first.setdefault((name.side, name.plain), j)
-    for a, name in enumerate(words):
-        if name.side:
-            join(a, first.get((_OTHER[name.side], name.plain), a))
+    # From the root down: names that differ in the side, and children of counterparts, by their
+    # names or else by the trees below them.
+    own = [(name.side, name.plain) for name in words]
+    other = [(_OTHER.get(side, ""), plain) for side, plain in own]
+    first: dict[tuple[str, str], int] = {}
+    for j, name in enumerate(own):
+        first.setdefault(name, j)
+    for a in range(len(names)):
+        if words[a].side:
+            join(a, first.get(other[a], a))
         if (b := pairs.get(a, a)) > a:
-            join_children(a, b, named_alike)
-            join_children(a, b, shaped_alike)
+            for mine, theirs in ((other, own), (tree.shapes, tree.shapes)):
+                for j in tree.children[a]:
+                    alike = (k for k in tree.children[b] if k not in pairs and mine[j] == theirs[k])
+                    join(j, next(alike, j))
     return tuple(pairs.get(j, j) for j in range(len(names)))
