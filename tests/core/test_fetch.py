@@ -233,6 +233,12 @@ def test_a_damaged_member_or_an_unknown_style_is_refused(root, server, tmp_path,
     assert known["styles"] == [ALL[0]]
 
 
+def test_a_download_that_was_whole_when_it_was_stopped_stays_as_it_is(server, tmp_path):
+    (tmp_path / "it.zip.part").write_bytes(server.content)
+    download.download(server.url, tmp_path / "it.zip", known=True)
+    assert (tmp_path / "it.zip").read_bytes() == server.content
+
+
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a device that is always full")
 def test_a_disk_that_is_full_during_a_download_is_named(server, tmp_path):
     (tmp_path / "it.zip.part").symlink_to("/dev/full")

@@ -63,7 +63,7 @@ class RemoteFile(io.RawIOBase):
         self.size: int | None = None
         self._tag: str | None = None  # the server's name of this version of the file
         self._position = self._failures = 0
-        self._body: urllib3.BaseHTTPResponse | None = None
+        self._body: urllib3.BaseHTTPResponse | io.BytesIO | None = None
         self._receive(0)
 
     def readable(self) -> bool:
@@ -93,9 +93,8 @@ class RemoteFile(io.RawIOBase):
 
     def readinto(self, buffer: Any) -> int:
         """Read the next bytes; 0 at the end of the file."""
-        view = memoryview(buffer)
-        piece = self._receive(len(view))
-        view[: len(piece)] = piece
+        piece = self._receive(len(buffer))
+        buffer[: len(piece)] = piece
         self._position += len(piece)
         self._failures = 0
         return len(piece)
@@ -132,9 +131,12 @@ class RemoteFile(io.RawIOBase):
         headers = {"Accept-Encoding": "identity", "Range": f"bytes={self._position}-"}
         reply = requests.get(self.url, headers=headers, stream=True, timeout=STALL,
                              hooks={"response": self._judge})
-        if reply.status_code != 416:  # the file ends before this position
-            reply.raise_for_status()
-            self._compare(reply)
+        if reply.status_code == 416:  # the file ends here; the answer's text is none of it
+            reply.close()
+            self._body = io.BytesIO()
+            return
+        reply.raise_for_status()
+        self._compare(reply)
         self._body = reply.raw
         left = self._position if reply.status_code == 200 else 0  # all of it comes, not the rest
         while left and (piece := self._body.read(min(left, CHUNK))):

@@ -122,8 +122,10 @@ def record(folder: Path) -> dict | None:
                          ) from error
 
 
-def has(known: dict, styles: list[str] | None) -> bool:
+def has(known: dict | None, styles: list[str] | None) -> bool:
     """Whether a folder with this `record` has these styles; None: all."""
+    if known is None:
+        return False
     some = known["styles"]
     return not some or (styles is not None and set(styles) <= set(some))
 
@@ -169,7 +171,7 @@ def fetch(name: str, root: str | os.PathLike | None = None,
     try:
         with filelock.FileLock(lock, timeout=0):
             known = record(folder)
-            if known is None or not has(known, styles):
+            if not has(known, styles):
                 if not known and folder.is_dir() and any(folder.iterdir()):
                     raise ValueError(f"{folder}: holds something else; move it away, or give "
                                      "another folder (--root)")
@@ -201,8 +203,14 @@ def _into(work: Path, origin: Origin, source: str, sha256: str | None, styles: l
         # the archive, and its checksum
         file: BinaryIO
         digest, expected = "", (sha256 or origin.sha256 or "").lower()
-        if remote and styles:
-            file = _parts(origin, source)
+        if remote and styles:  # of which only what is read is sent
+            parts = RemoteFile(source)
+            if not parts.ranges:
+                raise ValueError(f"{source}: the server sends the whole file only; leave --styles "
+                                 "out, or give another copy")
+            if source == origin.url and parts.size != origin.size:
+                raise ValueError(f"{source}: expected {origin.size} bytes, got {parts.size}")
+            file = io.BufferedReader(parts, 1 << 16)
         else:
             path = Path(source)
             if remote:
@@ -236,17 +244,6 @@ def _into(work: Path, origin: Origin, source: str, sha256: str | None, styles: l
             fate = "removed; the same command tries again, --from takes another copy"
         raise ValueError(f"{error}: refused ({fate})") from error
     return digest
-
-
-def _parts(origin: Origin, source: str) -> BinaryIO:
-    """The archive on a server, of which only what is read is sent."""
-    file = RemoteFile(source)
-    if not file.ranges:
-        raise ValueError(f"{source}: the server sends the whole file only; leave --styles out, or "
-                         "give another copy")
-    if source == origin.url and file.size != origin.size:
-        raise ValueError(f"{source}: expected {origin.size} bytes, got {file.size}")
-    return io.BufferedReader(file, 1 << 16)
 
 
 def _place(unpacked: Path, folder: Path, added: bool, origin: Origin, about: dict) -> dict:

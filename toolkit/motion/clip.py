@@ -180,16 +180,13 @@ def frame_reflections(skeleton: Skeleton, mean: Tensor) -> Tensor:
     signs = mean.new_tensor([[-1, 1, 1], [1, -1, 1], [1, 1, -1], [-1, -1, -1]])
     choices = torch.diag_embed(signs)
     pairs, offsets = list(skeleton.mirror_pairs), skeleton.offsets.to(mean)
-    bones = [[] for _ in pairs]  # by joint: children whose counterparts are below its counterpart
-    for j, p in enumerate(skeleton.parents[1:], 1):
-        if skeleton.parents[pairs[j]] == pairs[p]:
-            bones[p].append(j)
     own = mean.new_zeros(len(pairs), 3, 3)
     for j, p in enumerate(skeleton.parents):
         if pairs[j] < j:  # the counterpart is done: its inverse
             own[j] = own[pairs[j]].T
             continue
-        here, there = offsets[bones[j]], offsets[[pairs[k] for k in bones[j]]]
+        below = [k for k in skeleton.tree.children[j] if skeleton.parents[pairs[k]] == pairs[j]]
+        here, there = offsets[below], offsets[[pairs[k] for k in below]]
         above = choices[0] if p < 0 else own[p]
         rotation = mean[pairs[j]].T @ above @ mean[j]  # M
 
@@ -202,23 +199,17 @@ def frame_reflections(skeleton: Skeleton, mean: Tensor) -> Tensor:
             own[j] = choices[best]
             continue
 
-        # Else any reflection; 3 cm of bones weigh 10,000 times as much as the means.
+        # Else the nearest reflection; 3 cm of bones weigh 10,000 times as much as the means. That
+        # of a joint without a counterpart is its own inverse: a reflection in a plane.
         target = rotation + there.T @ here / 0.0003**2
-        own[j] = _nearest_mirror(target) if pairs[j] == j else _nearest_reflection(target)
+        if pairs[j] == j:
+            normal = torch.linalg.eigh(target + target.T).eigenvectors[:, 0]
+            own[j] = torch.eye(3).to(target) - 2 * torch.outer(normal, normal)
+        else:
+            u, _, v = torch.linalg.svd(target)
+            flips = torch.stack((*u.new_ones(2), -torch.linalg.det(u @ v).sign()))
+            own[j] = (u * flips) @ v
     return own
-
-
-def _nearest_mirror(target: Tensor) -> Tensor:
-    """The reflection in a plane, which is its own inverse, nearest to a matrix ``[3, 3]``."""
-    normal = torch.linalg.eigh(target + target.T).eigenvectors[:, 0]
-    return torch.eye(3).to(target) - 2 * torch.outer(normal, normal)
-
-
-def _nearest_reflection(target: Tensor) -> Tensor:
-    """The orthogonal matrix of determinant -1 nearest to a matrix ``[3, 3]`` (Procrustes)."""
-    u, _, v = torch.linalg.svd(target)
-    flip = -torch.linalg.det(u @ v).sign()
-    return u @ torch.diag(torch.stack((*u.new_ones(2), flip))) @ v
 
 
 def on_cpu(clips: Clip | Iterable[Clip]) -> list[Clip]:
