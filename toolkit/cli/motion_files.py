@@ -13,10 +13,8 @@ from toolkit.datasets import folder as own
 from toolkit.datasets.procedural import SKELETON
 from toolkit.motion import Clip, rotations
 
-SKELETONS = {"100style": SKELETON}
 Target = Annotated[str | None, typer.Option(
-    "--skeleton", help=f"Retarget to a skeleton: {', '.join(SKELETONS)}, or a file of it, best "
-                       "with a T-pose.")]
+    "--skeleton", help="Retarget to a skeleton: 100style, or a file of it, best with a T-pose.")]
 
 
 def read(path: Path, unit: float | str = "auto", up: str = "auto",
@@ -29,14 +27,12 @@ def read(path: Path, unit: float | str = "auto", up: str = "auto",
 
 
 def target(skeleton: str) -> Clip:
-    """The skeleton that ``--skeleton`` names: a T-pose of `SKELETONS`, or a file's motion."""
-    if skeleton in SKELETONS:
-        known = SKELETONS[skeleton]
-        pose = rotations.identity(1, len(known))
-        return Clip(known, pose, [[0.0, 0.0, 0.0]], 60.0, name=skeleton)
+    """The skeleton that ``--skeleton`` names: 100STYLE's in a T-pose, or a file's motion."""
+    if skeleton == "100style":
+        pose = rotations.identity(1, len(SKELETON))
+        return Clip(SKELETON, pose, [[0.0, 0.0, 0.0]], 60.0, name=skeleton)
     if not Path(skeleton).is_file():
-        raise ValueError(f"--skeleton is one of {', '.join(SKELETONS)}, or a file; got "
-                         f"{skeleton!r}")
+        raise ValueError(f"--skeleton is one of 100style, or a file; got {skeleton!r}")
     return read(Path(skeleton))
 
 

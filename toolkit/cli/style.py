@@ -17,7 +17,7 @@ from toolkit.motion import Clip
 from toolkit.networks import Predictor
 from toolkit.networks.bank import StyleBank
 from toolkit.styles.comparison import learn, not_a_walk
-from toolkit.styles.fine_tuning import METHODS, STEPS, NewStyles
+from toolkit.styles.fine_tuning import METHODS, STEPS
 from toolkit.training import published
 from toolkit.training.run import RECORDED, model_file
 
@@ -79,7 +79,10 @@ def add(
             if (why := not_a_walk(clip)) and not anyway:
                 raise ValueError(f"{clip.name}: {why}; no style was learnt (--anyway learns it)")
         best = learn(network, bank, shown, name, steps=steps, seed=seed, progress=True)
-        _report(best.made, name)
+        held_out = best.made.held_out[name]
+        say("{}: held-out frames: mean squared error {before:.3f} before, {after:.3f} after; "
+            "{repeat:.3f} by repeating the frame, {mean:.3f} by the mean".format(
+                METHODS[best.made.method], **held_out))
         say(str(best.compared))
         say(told(best.compared.clips["style"]))
         learnt.append((best, base, tensors, parts))
@@ -107,13 +110,6 @@ def list_(model: TrainedRun = None, parameters: Published = None) -> None:
     bank = _read(model or (None if parameters else "procedural"), parameters)[3]
     for name in bank:
         _print_near(bank, name)
-
-
-def _report(made: NewStyles, name: str) -> None:
-    """Print how it was learnt, and the error on held-out frames beside its floors."""
-    say("{}: held-out frames: mean squared error {before:.3f} before, {after:.3f} after; "
-        "{repeat:.3f} by repeating the frame, {mean:.3f} by the mean".format(
-            METHODS[made.method], **made.held_out[name]))
 
 
 def fitted(clip: Clip, network: Predictor, bank: StyleBank) -> Clip:
