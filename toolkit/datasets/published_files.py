@@ -34,35 +34,29 @@ def _shapes() -> dict[str, tuple[int, ...]]:
 SHAPES = _shapes()
 
 
-def check(folder: Path) -> str:
-    """What a folder holds; ValueError if a file is missing or has another size. No file is read."""
-    if not folder.is_dir():
-        raise ValueError(f"{folder}: no such folder; expected the published parameters "
-                         "(Xmean.bin, cp0_a0.bin, …)")
-    for name, shape in SHAPES.items():
-        path = folder / f"{name}.bin"
-        if not path.is_file():
-            raise ValueError(f"{path}: missing; expected {_of(shape)}")
-        if path.stat().st_size != 4 * math.prod(shape):
-            raise ValueError(f"{path}: expected {_of(shape)}, got {path.stat().st_size:,} bytes")
-    return f"parameters of {N_STYLES} styles"
-
-
 def read(folder: Path) -> dict[str, np.ndarray]:
     """The numbers of all files, float32, by name without ``.bin``.
 
-    ValueError if `check` refuses, or a number is not finite.
+    ValueError if a file is missing, has another size, or a number that is not finite.
     """
-    check(folder)
+    if not folder.is_dir():
+        raise ValueError(f"{folder}: no such folder; expected the published parameters "
+                         "(Xmean.bin, cp0_a0.bin, …)")
     found = {}
     for name, shape in SHAPES.items():
-        path = folder / f"{name}.bin"
-        values = np.fromfile(path, "<f4", math.prod(shape))
+        path, expected = folder / f"{name}.bin", f"{' × '.join(map(str, shape))} float32 numbers"
+        if not path.is_file():
+            raise ValueError(f"{path}: missing; expected {expected}")
+        if path.stat().st_size != 4 * math.prod(shape):
+            raise ValueError(f"{path}: expected {expected}, got {path.stat().st_size:,} bytes")
+        values = np.fromfile(path, "<f4").astype(np.float32, copy=False)
         if not np.isfinite(values).all():
-            raise ValueError(f"{path}: expected {_of(shape)} that are finite")
-        found[name] = values.astype(np.float32, copy=False).reshape(shape)
+            raise ValueError(f"{path}: expected {expected} that are finite")
+        found[name] = values.reshape(shape)
     return found
 
 
-def _of(shape: tuple[int, ...]) -> str:
-    return f"{' × '.join(map(str, shape))} float32 numbers"
+def check(folder: Path) -> str:
+    """What a folder holds; errors as of `read`."""
+    read(folder)
+    return f"parameters of {N_STYLES} styles"
