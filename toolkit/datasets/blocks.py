@@ -102,16 +102,17 @@ def _style100(root: str | os.PathLike | None) -> Split:
 
 
 def _cut(n: int, draw: int) -> Iterable[tuple[str, int, int]]:
-    """Parts of a take of n frames; a random number decides which end is held out."""
+    """Parts of a take of n frames; a random number decides which end and part is held out."""
+    at_start, for_test = draw % 2, draw // 2 % 2
     held = max(LEAST, round(SHARE * n))
     if n >= 4 * held + 2 * GAP:
         sizes = {"train": n - 2 * (held + GAP), "validation": held, "test": held}
     elif n >= 3 * held + GAP:
-        sizes = {"train": n - held - GAP, PARTS[1 + draw // 2 % 2]: held}
+        sizes = {"train": n - held - GAP, "test" if for_test else "validation": held}
     else:
         sizes = {"train": n}
     first = 0
-    for part in reversed(sizes) if draw % 2 else sizes:
+    for part in reversed(sizes) if at_start else sizes:
         yield part, first, first + sizes[part]
         first += sizes[part] + GAP
 

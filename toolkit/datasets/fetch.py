@@ -248,20 +248,15 @@ def _into(work: Path, origin: Origin, source: str, sha256: str | None, styles: l
 
 def _place(unpacked: Path, folder: Path, added: bool, origin: Origin, about: dict) -> dict:
     """Give a new dataset its name, or add its files to those of a folder; returns its record."""
+    place = folder if added else unpacked
+    if added:
+        shutil.copytree(unpacked, folder, dirs_exist_ok=True, copy_function=os.replace)
+    files = sum(path.is_file() and path.name != RECORD for path in place.rglob("*"))
+    known = about | {"date": datetime.now(UTC).isoformat(timespec="seconds"), "files": files,
+                     "found": origin.check(place)}
+    write_whole(place / RECORD, json.dumps(known, indent=2).encode())
     if not added:
-        known = _described(unpacked, origin, about)
         if folder.is_dir():  # an empty one, which Windows would not replace
             folder.rmdir()
         unpacked.replace(folder)
-        return known
-    shutil.copytree(unpacked, folder, dirs_exist_ok=True, copy_function=os.replace)
-    return _described(folder, origin, about)
-
-
-def _described(folder: Path, origin: Origin, about: dict) -> dict:
-    """Write the record of a folder, and return it."""
-    files = sum(path.is_file() and path.name != RECORD for path in folder.rglob("*"))
-    known = about | {"date": datetime.now(UTC).isoformat(timespec="seconds"), "files": files,
-                     "found": origin.check(folder)}
-    write_whole(folder / RECORD, json.dumps(known, indent=2).encode())
     return known
