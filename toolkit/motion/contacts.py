@@ -25,8 +25,9 @@ def detect(clip: Clip, *, height: float | None = None, speed: float | Tensor = 0
 
     Departure from the paper: there d_max is 1 cm, or chosen by hand for a motion, and there is no
     vote. In recordings with markers on the toes, a standing toe moves up and down by several
-    centimetres, and 1 cm leaves out most of a step. By default our d_max follows from the clip, see
-    `standing_range`, and is 1 cm or more.
+    centimetres, and 1 cm leaves out most of a step. By default our d_max follows from the clip and
+    is 1 cm or more: the 95th percentile of a toe's heights above the floor, where it is slow and
+    not above `REACH`.
 
     Parameters
     ----------
@@ -39,7 +40,10 @@ def detect(clip: Clip, *, height: float | None = None, speed: float | Tensor = 0
     toes = toes_of(clip)
     above = toes[..., 1] - floor_height(clip)[:, None]
     slow = velocities(toes, clip.fps).norm(dim=-1) <= speed
-    low = above <= (standing_range(above, slow) if height is None else height) + BALL
+    if height is None:
+        standing = above.where(slow & (above <= REACH), math.nan)
+        height = standing.nanquantile(0.95, dim=0).nan_to_num(HEIGHT).clamp_min(HEIGHT)
+    low = above <= height + BALL
     half = max(1, round(MAJORITY * clip.fps))
     votes = (low & slow).to(toes.dtype).T[:, None]
     votes = functional.pad(votes, (half, half), mode="replicate")
@@ -53,16 +57,6 @@ def stances(clip: Clip) -> Tensor:
     """
     pace = velocities(clip.root_positions[:, [0, 2]], clip.fps).norm(dim=-1, keepdim=True)
     return torch.maximum(detect(clip), detect(clip, speed=PACE * pace))
-
-
-def standing_range(above: Tensor, slow: Tensor) -> Tensor:
-    """Height ``[2]`` up to which each toe stands, metres.
-
-    The 95th percentile of its heights ``above [F, 2]`` the floor, where it is ``slow [F, 2]`` and
-    not above `REACH`.
-    """
-    standing = above.where(slow & (above <= REACH), math.nan)
-    return standing.nanquantile(0.95, dim=0).nan_to_num(HEIGHT).clamp_min(HEIGHT)
 
 
 def floor_height(clip: Clip) -> Tensor:
