@@ -199,6 +199,7 @@ def test_names_that_are_roles_of_other_joints_change_nothing(walk_clip):
         (("a", "a"), (-1, 0), "a joint is named twice: a"),
         (("a", "b", "c"), (-1, 2, 0), "every parent before its children"),
         (("a", "b"), (0, 0), "root must come first"),
+        ((), (), "root must come first"),
     ],
 )
 def test_bad_skeleton(names, parents, match):

@@ -55,11 +55,10 @@ class OwnTake(Take):
 
 def labelled(folder: Path) -> list[OwnTake]:
     """Files of a folder with style and gait, without those that its table does not list."""
+    if (folder / TABLE).exists():
+        return _table(folder)
     found = [path for path in files.below(folder)
              if path.suffix.lower() in SUFFIXES and path.is_file()]
-    if (folder / TABLE).exists():
-        table = _table(folder)
-        return [OwnTake(path, *table[path]) for path in found if path in table]
 
     # words of the names, without numbers; those common to all files say nothing
     words = {}
@@ -80,9 +79,9 @@ def labelled(folder: Path) -> list[OwnTake]:
     return takes
 
 
-def _table(folder: Path) -> dict[Path, tuple]:
-    """Style, gait, unit and up axis of each file that the table lists."""
-    place, found = folder / TABLE, {}
+def _table(folder: Path) -> list[OwnTake]:
+    """The files that the table lists, by path."""
+    place, takes = folder / TABLE, {}
     for number, row in files.table(place, COLUMNS[:2]):
         path, style, gait, unit, up = (row.get(column, "").strip() for column in COLUMNS)
         path = folder / path
@@ -94,8 +93,8 @@ def _table(folder: Path) -> dict[Path, tuple]:
             unit = float(unit)
         except ValueError:
             unit = unit or "auto"
-        found[path] = style, gait, unit, up or "auto"
-    return found
+        takes[path] = OwnTake(path, style, gait, unit, up or "auto")
+    return [takes[path] for path in sorted(takes)]
 
 
 # One file ---------------------------------------------------------------------------------------

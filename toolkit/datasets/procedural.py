@@ -22,7 +22,7 @@ from toolkit.datasets.procedural_body import SKELETON, pose
 from toolkit.datasets.procedural_steps import FPS, Plan, Truth, record, smooth, smooth_noise
 from toolkit.datasets.procedural_styles import STYLES, Arm, Leg, Style
 from toolkit.datasets.style100 import StyleInfo, save
-from toolkit.datasets.takes import Names
+from toolkit.datasets.takes import Names, check_names
 from toolkit.io.files import atomic_write
 from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip, rotations as R
@@ -70,11 +70,9 @@ def truth(style: str | Style, gait: str = "FW", seconds: float = 8.0, seed: int 
     """The clip of `generate`, with its true contacts, phases and frequencies."""
     label = style if isinstance(style, str) else "custom"
     if isinstance(style, str):
-        if style not in STYLES:
-            raise ValueError(f"unknown procedural style {style!r}; known are {', '.join(STYLES)}")
+        check_names([style], STYLES, "style", "procedural")
         style = STYLES[style]
-    if gait not in GAITS:
-        raise ValueError(f"unknown gait {gait!r}; known are {', '.join(GAITS)}")
+    check_names([gait], GAITS, "gait", "procedural")
     frames = round(seconds * FPS) if path is None else len(path)
     if frames < 2:
         raise ValueError(f"a clip needs at least two frames, got {seconds} seconds")
@@ -135,8 +133,8 @@ def write(folder: str | os.PathLike, styles: Names = None, gaits: Names = None,
 
 
 def _pairs(styles: Names, gaits: Names) -> list[tuple[str, str]]:
-    styles = [styles] if isinstance(styles, str) else list(styles or STYLES)
-    gaits = [gaits] if isinstance(gaits, str) else list(gaits or GAITS)
+    styles = check_names(list(STYLES) if styles is None else styles, STYLES, "style", "procedural")
+    gaits = check_names(list(GAITS) if gaits is None else gaits, GAITS, "gait", "procedural")
     return [(style, gait) for style in styles for gait in gaits]
 
 

@@ -53,7 +53,8 @@ class Skeleton:
                              f"{len(self.parents)} parents and offsets {list(self.offsets.shape)}")
         if not offsets.is_meta and not bool((offsets[1:].abs() <= LONGEST).all()):
             raise ValueError(f"offsets must be finite, and at most {LONGEST:g} m")
-        if self.parents[0] != -1 or any(not 0 <= p < j for j, p in enumerate(self.parents[1:], 1)):
+        below = enumerate(self.parents[1:], 1)
+        if self.parents[:1] != (-1,) or any(not 0 <= p < j for j, p in below):
             raise ValueError("the root must come first with parent -1, and every parent before its "
                              "children")
         inner = {0, *self.parents}
