@@ -39,7 +39,7 @@ def data_fetch(
         raise ValueError(f"--sha256 expects 64 hexadecimal digits, got {sha256!r}")
     origin, folder = find(name), root or home.folder(name)
     known = record(folder)
-    if has(known, styles):
+    if known and has(known, styles):
         say(f"{name} is there already, of {known['date'][:10]}: {known['found']} in {folder}")
         return
     size = tqdm.format_sizeof(origin.size, "B") if origin.size else "not known before"

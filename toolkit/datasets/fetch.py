@@ -122,10 +122,8 @@ def record(folder: Path) -> dict | None:
                          ) from error
 
 
-def has(known: dict | None, styles: list[str] | None) -> bool:
+def has(known: dict, styles: list[str] | None) -> bool:
     """Whether a folder with this `record` has these styles; None: all."""
-    if known is None:
-        return False
     some = known["styles"]
     return not some or (styles is not None and set(styles) <= set(some))
 
@@ -171,7 +169,7 @@ def fetch(name: str, root: str | os.PathLike | None = None,
     try:
         with filelock.FileLock(lock, timeout=0):
             known = record(folder)
-            if not has(known, styles):
+            if known is None or not has(known, styles):
                 if not known and folder.is_dir() and any(folder.iterdir()):
                     raise ValueError(f"{folder}: holds something else; move it away, or give "
                                      "another folder (--root)")
