@@ -2,10 +2,9 @@
 
 from toolkit import registry
 from toolkit.motion import contacts, ik, rotations, trajectory
-
-from toolkit.motion.roles import ROLES  # isort: skip
-from toolkit.motion.skeleton import Skeleton, forward_kinematics, local_rotations  # isort: skip
-from toolkit.motion.clip import Clip, RootFrames, on_cpu, root_frames  # isort: skip
+from toolkit.motion.clip import Clip, RootFrames, on_cpu, root_frames
+from toolkit.motion.roles import ROLES
+from toolkit.motion.skeleton import Skeleton, forward_kinematics, local_rotations
 
 __all__ = ["ROLES", "Clip", "RootFrames", "Skeleton", "contacts", "forward_kinematics",
            "ik", "local_rotations", "on_cpu", "root_frames", "rotations", "trajectory"]
