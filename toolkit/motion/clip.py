@@ -57,18 +57,18 @@ class Clip:
 
     def _check_numbers(self) -> None:
         squares = self.rotations.square() @ self.rotations.new_ones(4)
-        wrong = ~((squares - 1).abs() < 2 * UNIT)  # true with NaN
-        if bool(wrong.any()):
-            frame, joint = wrong.nonzero()[0].tolist()
+        right = (squares - 1).abs() < 2 * UNIT  # false with NaN
+        if not bool(right.all()):
+            frame, joint = (~right).nonzero()[0].tolist()
             q = self.rotations[frame, joint]
             if not bool(q.isfinite().all()):
                 raise ValueError(f"{self.name}: rotations of frame {frame} are not finite")
             raise ValueError(f"{self.name}: rotations must be quaternions of length 1; in frame "
                              f"{frame} that of {self.skeleton.names[joint]} has length "
                              f"{float(q.norm()):.4g}")
-        wrong = ~self.root_positions.isfinite().all(1)
-        if bool(wrong.any()):
-            frame = int(wrong.nonzero()[0])
+        right = self.root_positions.isfinite().all(1)
+        if not bool(right.all()):
+            frame = int((~right).nonzero()[0])
             raise ValueError(f"{self.name}: root positions of frame {frame} are not finite")
 
     def __len__(self) -> int:
