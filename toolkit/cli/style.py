@@ -107,7 +107,7 @@ def add(
 @app.command("list")
 def list_(model: TrainedRun = None, parameters: Published = None) -> None:
     """List the styles of a model, each with its nearest ones."""
-    bank = _read(model or (None if parameters else "procedural"), parameters)[3]
+    bank = published.either(model, parameters).bank
     for name in bank:
         _print_near(bank, name)
 
