@@ -22,6 +22,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from toolkit import registry
+from toolkit.datasets import style100
 from toolkit.datasets.takes import Names, Source, Take
 from toolkit.io import files
 from toolkit.io.load import read, readers
@@ -35,8 +36,7 @@ _WORDS = ("walk", "run", "jog", "sneak", "crawl", "hop", "skip", "jump", "dance"
 GAITS = {word: word for word in _WORDS}
 GAITS |= {"walking": "walk", "running": "run", "jogging": "jog"}
 GAITS |= dict.fromkeys(("idle", "idling", "stand", "standing"), "ID")
-GAITS |= {code.lower(): code for code in ("FW", "BW", "SW", "FR", "BR", "SR", "ID", "TR1", "TR2",
-                                          "TR3")}
+GAITS |= {code.lower(): code for code in style100.GAITS}
 SHORTEST = trajectory.WHOLE / trajectory.FPS  # seconds of a clip with one usable frame
 NAMED = 10  # files that a warning names
 ALIKE = 1.3  # ratio of sizes up to which two bodies are used together

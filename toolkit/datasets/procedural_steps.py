@@ -96,13 +96,6 @@ class Plan:
         self.tempo = np.exp(0.2 * style.stagger * unrest)
         self._schedule()
 
-    def _frequency(self, t: int) -> float:
-        """Strides (hops) per second for the pace at frame `t`."""
-        pace, run = max(self.pace[t], 0.5), self.running[t]
-        walk, fast = min(pace, 1.7) ** 0.55, 1.5 * (pace / 2.2) ** 0.35
-        quicker = pace**0.25 if len(self.stepping) == 1 else walk + run * (fast - walk)
-        return self.style.cadence * self.tempo[t] * quicker
-
     def _schedule(self) -> None:
         """The lift-off times: regular steps while the path moves, two more before standing.
 
@@ -119,13 +112,17 @@ class Plan:
                 t += 1.0
                 continue
             settled = 0 if moving else settled + 1
-            side = sides[turn % n]
-            beat = FPS / self._frequency(look) / n
+            # duration of a stride (hop) for the pace, and of its part for this foot
+            pace, run, side = max(self.pace[look], 0.5), self.running[look], sides[turn % n]
+            walk, fast = min(pace, 1.7) ** 0.55, 1.5 * (pace / 2.2) ** 0.35
+            quicker = pace**0.25 if n == 1 else walk + run * (fast - walk)
+            stride = FPS / (self.style.cadence * self.tempo[look] * quicker)
+            beat = stride / n
             if n == 2:
                 beat *= 1 + self.style.asymmetry * (1 if side == "left" else -1)
             if knots[-1][0] < t - 1e-6:  # the clock stood
                 knots.append((t, clock))
-            self.swings.append((side, t, FPS / self._frequency(look), self.running[look]))
+            self.swings.append((side, t, stride, run))
             clock += 2 * math.pi / n
             t += beat
             knots.append((t, clock))

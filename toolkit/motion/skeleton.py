@@ -196,7 +196,7 @@ class Skeleton:
         chest = self.trunk[0]
         called = (j for j, name in enumerate(self.names)
                   if name.lower().endswith("head") and chest in self.ancestors(j))
-        head = self.role("head") if "head" in self.roles else next(called, chest)
+        head = next(called, chest)
         above = [head, *self.ancestors(head)]
         return above[: above.index(chest) + 1][::-1]
 
