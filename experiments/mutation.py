@@ -50,8 +50,6 @@ EQUIVALENT = {
     ("for part in rows.split(1024):", "1024 -> 1025"): "the sum has the same parts",
     ('errors[style] = dict(zip(("mse", "bone"), (sums / len(rows)).tolist(), strict=True))',
      "True -> False"): "both have two",
-    ('blocks["trajectory"] = trajectory[:, -(future.stop - future.start) :]',
-     "future.stop - future.start -> future.stop + future.start"): "the start is 0",
     ("adam = torch.optim.Adam([vector], fused=True)", "True -> False"): "the same formula",
     ("if len(data) < 20:", "20 -> 21"): "a text of one character is no JSON object",
     ("slopes = np.repeat(slopes.reshape(-1, 4), counts, axis=0)", "1 -> 2"):

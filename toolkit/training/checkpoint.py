@@ -90,8 +90,8 @@ class Checkpoint:
 
 def check(tensors: dict[str, Tensor], expected: dict[str, Tensor]) -> None:
     """ValueError if names, shapes or dtypes differ from the expected."""
-    kinds = [{name: [*value.shape, value.dtype] for name, value in part.items()}
-             for part in (expected, tensors)]
+    kinds = ({name: [*value.shape, value.dtype] for name, value in part.items()}
+             for part in (expected, tensors))
     if why := model_files.difference(*kinds):
         raise ValueError(f"it differs in tensor {why}")
 

@@ -49,14 +49,8 @@ def start(device: str, processes: int) -> "Fabric | Alone":
     """Set up a device and processes.
 
     With several processes, the first call starts the others: they run the same command from its
-    beginning. Under ``torchrun``, which starts them itself, this joins them.
-
-    Raises
-    ------
-    ValueError
-        If there is no such device.
-    ImportError
-        If several processes need Lightning Fabric and it is not installed.
+    beginning. Under ``torchrun``, which starts them itself, this joins them. ValueError if there is
+    no such device, ImportError if several processes need Lightning Fabric and it is not installed.
     """
     kind, nodes = torch.device(device), 1
     if "TORCHELASTIC_RUN_ID" in os.environ:  # torchrun
@@ -80,10 +74,7 @@ def start(device: str, processes: int) -> "Fabric | Alone":
 
 
 class Objective(nn.Module):
-    """Loss of equation 5, or the model's own, over the share of a minibatch of process ``rank``.
-
-    ``precision`` is that of `Config`.
-    """
+    """Loss of equation 5, or the model's own, over the share of a minibatch of process ``rank``."""
 
     def __init__(self, model: Predictor, rank: int = 0, processes: int = 1,
                  precision: str = "32"):

@@ -111,10 +111,10 @@ def fit(data: Features, config: Config | None = None,
     if batches.fewest < fabric.world_size:
         raise ValueError(f"{fabric.world_size} processes cannot share a minibatch of "
                          f"{batches.fewest} frames")
-    total = None
-    if config.seconds is None:
+    total, limit = None, config.seconds  # steps, or seconds
+    if limit is None:
         epochs = config.epochs or 90
-        total = config.steps or max(1, round(epochs * batches.steps_per_epoch))
+        total = limit = config.steps or max(1, round(epochs * batches.steps_per_epoch))
     adam, state = optimiser(model, config), State()
     if checkpoint and resume and Path(checkpoint).exists():
         state = restore(checkpoint, model, adam, config)
@@ -134,15 +134,17 @@ def fit(data: Features, config: Config | None = None,
         if config.patience and state.stalled == 0:
             state.best = {name: value.clone() for name, value in model.state_dict().items()}
 
+    def spent() -> float:
+        return state.step if total else min(state.elapsed, limit)
+
     form = None if total else "{l_bar}{bar}| {n:.0f}/{total:.0f} s, {remaining} left{postfix}"
-    bar = progress_bar(total=total or config.seconds, bar_format=form, desc="training",
-                       initial=state.step if total else state.elapsed, unit="step",
+    bar = progress_bar(total=limit, bar_format=form, desc="training", initial=spent(), unit="step",
                        show=progress and first)
     smooth, before = math.nan, time.process_time() - state.processor
     saver = Saver(save, config.save_every, state.elapsed, partial(_mean, fabric))
     with saver, bar:
         model.train()
-        while (done := state.step / total if total else state.elapsed / config.seconds) < 1:
+        while (done := spent() / limit) < 1:
             if config.patience and state.stalled >= config.patience:
                 break
             # cosine decay of the rate; dropout masks that depend only on seed, step and process
@@ -158,7 +160,7 @@ def fit(data: Features, config: Config | None = None,
             loss = state.losses["loss"]
             smooth = loss if math.isnan(smooth) else 0.98 * smooth + 0.02 * loss
             bar.set_postfix(loss=f"{smooth:.3f}", refresh=False)
-            bar.update((state.step if total else min(state.elapsed, config.seconds)) - bar.n)
+            bar.update(spent() - bar.n)
             if state.step % config.evaluate_every == 0:
                 assess()
             state.elapsed = saver.stepped()
@@ -190,8 +192,7 @@ def restore(path: str | os.PathLike, model: Predictor, adam: torch.optim.Adam,
             config: Config) -> State:
     """Load a checkpoint into a newly built model and its optimiser; returns the state of the run.
 
-    ValueError if it is not a checkpoint, belongs to another layout, config or other data, or is
-    damaged.
+    ValueError if it has another layout, or as of `Checkpoint.load`.
     """
     described = model_files.read(path, "checkpoint")[1]
     with model_files.intact(path, "the model's description"):
@@ -227,9 +228,8 @@ def step(fabric: "Fabric | Alone", objective: torch.nn.Module, adam: torch.optim
          batches: Minibatches, config: Config, number: int, rate: float) -> dict[str, float]:
     """Gradient descent on minibatch ``number`` at learning rate ``rate``; its losses.
 
-    These are the loss, the mean squared error and the bone-length error (equation 5), of
-    `distributed.Objective`. `distributed.start` gives ``fabric``, which has set up the
-    ``objective``; ValueError if the loss is not finite.
+    These are those of `distributed.Objective`, which ``fabric``, of `distributed.start`, has set
+    up. ValueError if the loss is not finite.
     """
     model = objective.model
     x, p, z, y = observed(model, *(rows.to(fabric.device) for rows in batches[number]))

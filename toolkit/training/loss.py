@@ -6,7 +6,7 @@ import math
 import torch
 from torch import Tensor
 
-from toolkit.features import FRAME_KINDS, KINDS, Features, Layout, Rows, natural_speed
+from toolkit.features import FRAME_KINDS, KINDS, Features, Layout, natural_speed
 from toolkit.io.progress import progress_bar
 from toolkit.networks import Predictor
 from toolkit.networks.bank import StyleBank
@@ -42,11 +42,9 @@ def make_bank(model: Predictor, data: Features, clips: int | None = None) -> Sty
     the same order.
     """
 
-    def picked(y: Tensor | Rows) -> Tensor:
-        return y[_spread(len(y), clips)]
-
     vectors, speeds = [], []
-    for number, y in enumerate(map(picked, data.clips.values())):
+    for number, every in enumerate(data.clips.values()):
+        y = every[_spread(len(every), clips)]
         vectors.append(model.style_vector(y, number))
         speeds.append(natural_speed(y))
     return StyleBank(tuple(data.clips), torch.stack(vectors).cpu(), torch.tensor(speeds))
@@ -109,11 +107,9 @@ def repeat_frame(layout: Layout, x: Tensor, phases: Tensor, mean: Tensor) -> Ten
     A global phase continues at its mean rate: it never rests. Without a change, its one column
     would dominate the error.
     """
-    trajectory, future = x[:, layout.inputs["trajectory"]], layout.outputs["trajectory"]
-    blocks = {}
-    for name, columns in layout.outputs.items():  # contacts stay at their mean
-        blocks[name] = mean[columns].expand(len(x), -1)
-    blocks["trajectory"] = trajectory[:, -(future.stop - future.start) :]
+    blocks = layout.unpack_output(mean.expand(len(x), -1))  # contacts stay at their mean
+    future = blocks["trajectory"].shape[1]
+    blocks["trajectory"] = x[:, layout.inputs["trajectory"]][:, -future:]
     blocks["joints"] = x[:, layout.inputs["joints"]]
     if layout.phase == "local":
         blocks |= {"phases": phases, "phase_updates": torch.zeros_like(phases)}
@@ -133,9 +129,8 @@ def refit(model: Predictor, bank: StyleBank, data: Features, steps: int = STEPS,
     device = model.outputs_mean.device
     scale = float(bank.vectors.std(0).mean()) if len(bank) > 1 else 1.0
     vectors = bank.vectors.clone()
-    for which, style in enumerate(
-        progress_bar(batches.styles, desc="vectors", unit="style", show=progress)
-    ):
+    bar = progress_bar(batches.styles, desc="vectors", unit="style", show=progress)
+    for which, style in enumerate(bar):
         vector = bank[style].clone().to(device).requires_grad_()
         adam = torch.optim.Adam([vector], fused=True)
         for turn in range(steps):

@@ -5,8 +5,8 @@ from torch import Tensor
 
 from toolkit.features import Features, splits
 
-#: Uses of random numbers, each with its own streams.
-INIT, SPLIT, FRAMES, CLIPS, MIXUP, DROPOUT = range(6)
+#: Uses of random numbers, each with its own streams; 1 is `splits.SPLIT`.
+INIT, FRAMES, CLIPS, MIXUP, DROPOUT = 0, 2, 3, 4, 5
 
 
 class Minibatches:

@@ -80,17 +80,13 @@ def load(folder: str | os.PathLike | None = None, *, calibrated: bool = False) -
         If a file is missing, of another size, or holds a number that is not finite.
     """
     if folder is None or os.fspath(folder) == DATASET:
-        folder = home.find(
-            DATASET, "Xmean.bin, cp0_a0.bin, …", "https://github.com/ianxmason/local-phases"
-        )
-    read = {
-        name: torch.from_numpy(values) for name, values in parameters.read(Path(folder)).items()
-    }
+        folder = home.find(DATASET, "Xmean.bin, cp0_a0.bin, …",
+                           "https://github.com/ianxmason/local-phases")
+    files = parameters.read(Path(folder))
+    read = {name: torch.from_numpy(values) for name, values in files.items()}
     layout, sizes = Layout(SKELETON, samples=SAMPLES), Sizes()
-    files = {"inputs": "X", "phases": "GT_X", "outputs": "Y"}
-    normalisers = {
-        kind: Normaliser(read[f"{file}mean"], read[f"{file}std"]) for kind, file in files.items()
-    }
+    normalisers = {kind: Normaliser(read[f"{file}mean"], read[f"{file}std"])
+                   for kind, file in (("inputs", "X"), ("phases", "GT_X"), ("outputs", "Y"))}
     model = build("lpn-film", layout, len(STYLES), sizes, normalisers, generator=False)
     model.calibrated = calibrated
     with torch.no_grad():
@@ -102,11 +98,9 @@ def load(folder: str | os.PathLike | None = None, *, calibrated: bool = False) -
                 layer.weight[k] = read[f"cp{i}_a{k}"].T
                 layer.bias[k] = read[f"cp{i}_b{k}"]
     model.life, model.lift = LIFE, LIFT
-    of_style = (
-        [read[f"Style_{i:03d}_{part}"] for part in parameters.STYLE_PARTS]
-        for i in range(len(STYLES))
-    )
-    vectors = torch.stack([torch.cat(parts) for parts in of_style])
+    vectors = torch.stack([torch.cat([read[f"Style_{i:03d}_{part}"]
+                                      for part in parameters.STYLE_PARTS])
+                           for i in range(len(STYLES))])
     speeds = torch.full((len(STYLES),), math.nan)
     speeds[: parameters.TRAINED] = read["Walk_Velocities"] / 12
     shakes = torch.tensor([name in SHAKING for name in STYLES])
@@ -116,13 +110,8 @@ def load(folder: str | os.PathLike | None = None, *, calibrated: bool = False) -
 def either(file: str | os.PathLike | None, folder: str | os.PathLike | None) -> run.Run:
     """A model and its styles, of a run's ``file`` or the published ``folder``, or the embedded.
 
-    The ``file`` may be a name (`toolkit.training.run.model_file`), and the ``folder``
-    ``lpn-film-100style``, for the folder of downloaded data.
-
-    Raises
-    ------
-    ValueError
-        If both are given.
+    The ``file`` may be a name (`toolkit.training.run.model_file`); for the ``folder`` see `load`.
+    ValueError if both are given.
     """
     if file is not None and folder is not None:
         raise ValueError("give either --model FILE or --published FOLDER, not both")
@@ -140,12 +129,10 @@ def one_step(model: Predictor, bank: StyleBank, clip: Clip, style: str,
 
     Parameters
     ----------
-    model, bank
-        A model and its style vectors.
+    model, bank, style
+        A model, its style vectors, and the name of one.
     clip
         Motion of the model's skeleton at any rate, resampled to 60 Hz.
-    style
-        Name in the bank.
     frames
         First and last (not included) frame to predict from, at the clip's rate. Their trajectory
         and phases use up to a second before and after; frames without a whole window are left out.
@@ -166,26 +153,23 @@ def one_step(model: Predictor, bank: StyleBank, clip: Clip, style: str,
     joints, own = model.layout.names, Layout(clip.skeleton).names
     if joints != own:
         odd = next((n for n in (*own, *joints) if n not in joints or n not in own), "their order")
-        raise ValueError(
-            f"{clip.name}: the model moves {len(joints)} joints, the clip has {len(own)}; they "
-            f"differ in {odd}"
-        )
+        raise ValueError(f"{clip.name}: the model moves {len(joints)} joints, the clip has "
+                         f"{len(own)}; they differ in {odd}")
     rows = frames_of(model.layout, clip, frames)
     p, target = model.observe(rows.phases, rows.outputs)
     z = model.predict(rows.inputs, p, bank[style])
     error = (z - target) / model.normaliser("outputs").std
     own, predicted = (model.layout.unpack_output(v) for v in (target, z))
-    pairs = torch.stack((predicted["contacts"], own["contacts"]), -1).unbind(1)
+    pairs = torch.stack((predicted["contacts"], own["contacts"])).unbind(-1)
     phase_error = math.nan
     if "phases" in own:
-        phase_error = float(
-            (predicted["phases"] - own["phases"]).square().sum() / own["phases"].square().sum()
-        )
+        gap = predicted["phases"] - own["phases"]
+        phase_error = float(gap.square().sum() / own["phases"].square().sum())
     return {
         "style": style,
         "frames": len(z),
         "joint_mse": float(error[:, model.layout.outputs["joints"]].square().mean()),
-        "contact_correlation": [float(torch.corrcoef(pair.T)[0, 1]) for pair in pairs],
+        "contact_correlation": [float(torch.corrcoef(pair)[0, 1]) for pair in pairs],
         "phase_error": phase_error,
     }
 
@@ -193,9 +177,9 @@ def one_step(model: Predictor, bank: StyleBank, clip: Clip, style: str,
 def frames_of(layout: Layout, clip: Clip, frames: tuple[int, int | None]) -> features.Frames:
     """Features of some frames of a real clip, see `one_step`, with up to a second around them."""
     scale, samples = trajectory.FPS / clip.fps, layout.samples
-    start, stop = round(frames[0] * scale), None if frames[1] is None else round(frames[1] * scale)
+    stop = math.inf if frames[1] is None else round(frames[1] * scale)
     clip = clip.resample(trajectory.FPS)
-    stop = len(clip) if stop is None else min(stop, len(clip))
+    start, stop = round(frames[0] * scale), min(stop, len(clip))
     first = max(0, start + samples[0])
     clip = clip.cut(first, min(len(clip), stop + samples[-1] + 1))
     return features.frames(clip, None, start - first, stop - first, samples)

@@ -73,8 +73,8 @@ class Config:
 
     def __post_init__(self):
         registry.find(f"model.{self.model}")
-        budgets = {name: getattr(self, name) for name in ("epochs", "steps", "seconds")}
-        budgets = {name: value for name, value in budgets.items() if value is not None}
+        budgets = {name: value for name in ("epochs", "steps", "seconds")
+                   if (value := getattr(self, name)) is not None}
         if len(budgets) > 1:
             raise ValueError(f"give one of epochs, steps and seconds, got {' and '.join(budgets)}")
         for name, value in budgets.items():
@@ -226,22 +226,11 @@ def load(path: str | os.PathLike) -> Run:
 def pretrained(name: str = "procedural") -> Run:
     """A trained small LPN-FiLM and its styles, ``model, bank = pretrained()``.
 
-    They come without the FiLM generator, so they cannot make style vectors of new clips.
-    `docs/embedded_model.md` describes the data and the commands.
-
-    Parameters
-    ----------
-    name
-        ``"procedural"``, which is part of the package, was trained on computed walks.
-        ``"recorded"`` was trained on people (Bandai-Namco, CC BY-NC 4.0, not for commercial use).
-        It is a file of the repository, not of the package.
-
-    Raises
-    ------
-    FileNotFoundError
-        If the recorded model is not there.
-    ValueError
-        For another name.
+    ``"procedural"``, which is part of the package, was trained on computed walks. ``"recorded"``
+    was trained on people (Bandai-Namco, CC BY-NC 4.0, not for commercial use); it is a file of the
+    repository, and where it is not there, a FileNotFoundError says so. Both come without the FiLM
+    generator, so they cannot make style vectors of new clips. `docs/embedded_model.md` describes
+    the data and the commands. ValueError for another name.
     """
     if name not in ("procedural", "recorded"):
         raise ValueError(f"no model {name!r}: procedural or recorded")
