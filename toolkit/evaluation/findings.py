@@ -113,14 +113,10 @@ def defects(clip: Clip | Sequence[Clip] | Rendered, model: tuple[Any, Any] | Non
     clip
         A clip; the clips of characters who share a floor; or a shot or scene, which is rendered.
     model
-        Model and bank, such as ``tk.pretrained()``, which render a shot or scene.
+        Model and bank, such as ``tk.pretrained()``, which render a shot or scene; a ValueError if
+        they are missing.
     apart
         Least distance of the hips of two characters, metres; by default the scene's.
-
-    Raises
-    ------
-    ValueError
-        If a shot or scene comes without a model.
     """
     if not isinstance(clip, Clip | Sequence):
         if model is None:
@@ -190,10 +186,10 @@ def _feet(clip: Clip, at: dict[str, Tensor]) -> Iterator[tuple[str, str, Tensor]
         behind = flat & (along < BEHIND * travel.clamp_min(STROLL))
         slides = torch.minimum(velocity.norm(dim=-1), _moved(ankle, fps, TOUCH).norm(dim=-1))
         for kind, held in (("slide", STANCE), ("short slide", TOUCH)):
-            yield kind, f"{side}_toe", _only(slides, _throughout(behind, held, fps))
+            yield kind, f"{side}_toe", slides.where(_throughout(behind, held, fps), torch.nan)
         heel = _speed(ankle[:, [0, 2]], fps, TOUCH)
         still = flat & (velocity.norm(dim=-1) < STILL)
-        yield "pivot", f"{side}_foot", _only(heel, _throughout(still, TOUCH, fps))
+        yield "pivot", f"{side}_foot", heel.where(_throughout(still, TOUCH, fps), torch.nan)
         slow = velocity.norm(dim=-1) < SLOW
         lowest.append(toe[slow, 1].quantile(0.05) if slow.any() else toe.new_tensor(torch.nan))
         strides.append((velocity[:, [0, 2]] - hips).norm(dim=-1))
@@ -201,10 +197,10 @@ def _feet(clip: Clip, at: dict[str, Tensor]) -> Iterator[tuple[str, str, Tensor]
     whole = 2 * max(1, round(REST * fps / 2)) + 1
     if len(clip) >= whole:
         step, way = (x.unfold(0, whole, 1).mean(-1) for x in (torch.stack(strides).amax(0), travel))
-        yield "drift", "hips", _placed(_only(way, step < ALIKE * way), len(clip))
+        yield "drift", "hips", _placed(way.where(step < ALIKE * way, torch.nan), len(clip))
     uneven = (lowest[0] - lowest[1]).abs()
-    yield "floor", f"{SIDES[int(lowest[0] > lowest[1])]}_toe", _only(
-        uneven.expand(len(clip)), uneven < LIFTED)
+    uneven = uneven.where(uneven < LIFTED, torch.nan).expand(len(clip))
+    yield "floor", f"{SIDES[int(lowest[0] > lowest[1])]}_toe", uneven
 
 
 def _pops(clip: Clip, at: dict[str, Tensor]) -> Iterator[tuple[str, str, Tensor]]:
@@ -344,7 +340,3 @@ def _throughout(true: Tensor, seconds: float, fps: float) -> Tensor:
     if len(true) > 2 * k:
         held[k:-k] = true.unfold(0, 2 * k + 1, 1).all(-1)
     return held
-
-
-def _only(values: Tensor, frames: Tensor) -> Tensor:
-    return values.where(frames, torch.nan)

@@ -57,13 +57,8 @@ class Recogniser(nn.Module):
     def probabilities(self, joints: Tensor) -> Tensor:
         """Probability ``[..., S]`` of each style: the mean over windows, `HOP` frames apart.
 
-        ``joints [..., F, 12 J]`` are joint features in the root frame, physical units, at 60 Hz; F
-        is at least `WINDOW`.
-
-        Raises
-        ------
-        ValueError
-            If there are fewer frames, or the number of columns differs from that of training.
+        ``joints [..., F, 12 J]`` are joint features in the root frame, physical units, at 60 Hz.
+        ValueError if F is less than `WINDOW`, or the number of columns is not that of training.
         """
         windows = self._windows(joints)
         logits = self(windows.flatten(0, -3))
@@ -116,12 +111,7 @@ def train(data: Features, seed: int = 0, steps: int = STEPS) -> Recogniser:
     It is used on the poses of models, which are smoother than the data's and have a small offset.
     Therefore a nearly constant column is not scaled to unit deviation, and training adds offsets
     and noise to the windows and drops columns. The same seed gives the same recogniser; ``steps``
-    is the number of minibatches.
-
-    Raises
-    ------
-    ValueError
-        If there are fewer than two styles.
+    is the number of minibatches. ValueError if there are fewer than two styles.
     """
     if len(data.styles) < 2:
         raise ValueError(f"a recogniser needs at least two styles, got {', '.join(data.styles)}")

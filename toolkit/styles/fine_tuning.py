@@ -3,7 +3,7 @@
 import copy
 import math
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import torch
@@ -61,7 +61,7 @@ def fine_tune(model: Predictor, clips: Clip | Sequence[Clip] | Features, name: s
               bank: StyleBank | None = None, *, method: str | None = None, steps: int = STEPS,
               mirror: bool = False, prior: float = PRIOR, seed: int = 0,
               progress: bool = False) -> NewStyles:
-    """Learn new styles from one or a few clips, without any change of the other styles.
+    """Learn new styles from one or a few clips; vectors of other styles are bitwise unchanged.
 
     The paper says only that the generator is fine-tuned while the LPN is frozen. Ours are few steps
     and a learning rate that decays. As in `toolkit.training.Config.quick` some input poses are
@@ -71,10 +71,10 @@ def fine_tune(model: Predictor, clips: Clip | Sequence[Clip] | Features, name: s
 
     A share of the frames is held out (`HELD_OUT`). The error on half of them is measured every
     `EVERY` steps, and the best step is kept, which may be the initial one. The errors in the result
-    are those of the other half. ``before`` is the error with
-    the best style of the bank (method ``"vector"``) or with the vector that the generator computes
-    without fine-tuning; ``mean`` and ``repeat`` are those of `toolkit.training.loss.baselines`.
-    Clips that are too short to hold frames out keep the last step.
+    are those of the other half. ``before`` is the error with the best style of the bank (method
+    ``"vector"``) or with the vector that the generator computes without fine-tuning; ``mean`` and
+    ``repeat`` are those of `toolkit.training.loss.baselines`. Clips that are too short to hold
+    frames out keep the last step.
 
     Parameters
     ----------
@@ -91,21 +91,12 @@ def fine_tune(model: Predictor, clips: Clip | Sequence[Clip] | Features, name: s
         new styles are added to it.
     method
         One of `METHODS`; by default ``"generator"`` if the model has one, else ``"vector"``.
-    steps
-        Training steps per new style.
+    steps, seed
+        Training steps per new style; the same seed gives the same vectors.
     mirror
         Learn from the mirror images of the clips, too; for symmetric styles.
     prior
         Weight λ of the penalty.
-    seed
-        The same seed gives the same vectors.
-    progress
-        Show a progress bar.
-
-    Returns
-    -------
-    NewStyles
-        Model and bank with the new styles; the vectors of all other styles are bitwise equal.
 
     Raises
     ------
@@ -140,6 +131,9 @@ def fine_tune(model: Predictor, clips: Clip | Sequence[Clip] | Features, name: s
 
         def made() -> StyleBank:
             return StyleBank(styles, learnt[0].detach().clone(), speeds)
+
+        def vector(style: int, _: Tensor) -> Tensor:
+            return learnt[0][style, None]
     else:
         if method == "generator":
             frozen = [*model.gating.parameters(), *model.experts.parameters(), *model.buffers()]
@@ -149,50 +143,41 @@ def fine_tune(model: Predictor, clips: Clip | Sequence[Clip] | Features, name: s
         def made() -> StyleBank:
             return make_bank(model, kept)
 
-    def error(frames: Features) -> dict[str, float]:
+        def vector(_: int, y: Tensor) -> Tensor:
+            return model.encode(y)
+
+    def errors(frames: Features) -> dict[str, float]:
         return {style: row["mse"] for style, row in evaluate(model, made(), frames).items()}
 
-    def vector(style: int, y: Tensor) -> Tensor:
-        return learnt[0][style, None] if method == "vector" else model.encode(y)
-
-    before = error(reported)
-    descent = _Descent(learnt, lambda: error(choosing), lambda: made().vectors)
+    before, losses, tried = errors(reported), [], [made().vectors]
+    best, least, values = 0, sum(errors(choosing).values()), [t.detach().clone() for t in learnt]
     if method != "forward":
-        _descend(model, bank, kept, descent, vector, method, steps, prior, seed, progress)
-    new, after, floors = made(), error(reported), baselines(model, reported)
-    errors = {}
-    for style in styles:
-        unknown = dict.fromkeys(("mean", "repeat"), math.nan)
-        errors[style] = {"before": before.get(style, math.nan),
-                         "after": after.get(style, math.nan), **floors.get(style, unknown)}
+        total, every = steps * len(styles), EVERY * len(styles)
+        bar = progress_bar(total=total, desc=METHODS[method].split(" (")[0], unit="step",
+                           show=progress)
+        descent = _descend(model, bank, kept, learnt, vector, RATES[method], total, prior, seed)
+        with bar:
+            for step, loss in enumerate(descent, 1):
+                losses.append(loss)
+                bar.update()
+                if step % every == 0 or step == total:
+                    # the values with the least held-out error are kept; without any, the last
+                    found = errors(choosing)
+                    tried.append(made().vectors)
+                    if not found or sum(found.values()) < least:
+                        best, least = step, sum(found.values())
+                        values = [tensor.detach().clone() for tensor in learnt]
+        with torch.no_grad():
+            for tensor, value in zip(learnt, values, strict=True):
+                tensor.copy_(value)
+
+    new, after, floors = made(), errors(reported), baselines(model, reported)
+    unknown = dict.fromkeys(("mean", "repeat"), math.nan)
+    held_out = {style: {"before": before.get(style, math.nan), "after": after.get(style, math.nan),
+                        **floors.get(style, unknown)} for style in styles}
     bank = new if bank is None else bank.merge(new)
-    return NewStyles(new.names, bank, model, method, time.perf_counter() - began, descent.losses,
-                     descent.best, errors, torch.stack(descent.tried))
-
-
-class _Descent:
-    """What is learnt, the loss of every step, and the best values by the mean held-out error."""
-
-    def __init__(self, learnt: list[Tensor], error: Callable[[], dict[str, float]],
-                 vectors: Callable[[], Tensor]):
-        self.learnt, self.error, self.errors = learnt, error, error()
-        self.vectors, self.tried = vectors, [vectors()]
-        self.losses: list[float] = []
-        self.best, self.values = 0, [tensor.detach().clone() for tensor in learnt]
-
-    def judge(self, step: int) -> None:
-        """Measure the held-out error after ``step`` steps."""
-        errors = self.error()
-        self.tried.append(self.vectors())
-        if not errors or sum(errors.values()) < sum(self.errors.values()):
-            self.best, self.errors = step, errors
-            self.values = [tensor.detach().clone() for tensor in self.learnt]
-
-    @torch.no_grad()
-    def restore(self) -> None:
-        """Set what is learnt to its best values."""
-        for tensor, value in zip(self.learnt, self.values, strict=True):
-            tensor.copy_(value)
+    return NewStyles(new.names, bank, model, method, time.perf_counter() - began, losses, best,
+                     held_out, torch.stack(tried))
 
 
 def _features(model: Predictor, clips: Clip | Sequence[Clip], name: str | None,
@@ -242,24 +227,22 @@ def _walks(model: Predictor, bank: StyleBank) -> Tensor:
     return torch.cat([state.joints for state in states[::10]])
 
 
-def _descend(model: Predictor, bank: StyleBank | None, data: Features, descent: _Descent,
-             vector: Callable[[int, Tensor], Tensor], method: str, steps: int, weight: float,
-             seed: int, progress: bool) -> None:
-    """Train what is learnt and set it to its best step.
+def _descend(model: Predictor, bank: StyleBank | None, data: Features, learnt: list[Tensor],
+             vector: Callable[[int, Tensor], Tensor], rate: float, steps: int, weight: float,
+             seed: int) -> Iterator[float]:
+    """Train what is learnt; the loss of every step.
 
     ``vector(index of the style, clips)`` computes a vector ``[1, D]`` from it.
     """
-    learnt = descent.learnt
     frames = min(BATCH, *map(len, data.inputs.values()))
     batches = Minibatches(data, frames, 1, seed, memory=model.memory)
-    joints, total = model.layout.inputs["joints"], steps * len(data.styles)
+    joints = model.layout.inputs["joints"]
     draw = splits.generator(seed, minibatches.MIXUP)
     poses = _walks(model, bank) if bank is not None else model.inputs_mean[None, joints]
     mean, deviation = _prior(model, bank)
-    adam = torch.optim.Adam(learnt, lr=RATES[method], fused=True)
-    title = METHODS[method].split(" (")[0]
-    for step in progress_bar(range(total), desc=title, unit="step", show=progress):
-        adam.param_groups[0]["lr"] = RATES[method] * (1 + math.cos(math.pi * step / total)) / 2
+    adam = torch.optim.Adam(learnt, lr=rate, fused=True)
+    for step in range(steps):
+        adam.param_groups[0]["lr"] = rate * (1 + math.cos(math.pi * step / steps)) / 2
         x, p, z, y = batches[step]
         # pose mix-up: some input poses are moved towards poses of the model's walks
         other = poses[torch.randint(len(poses), (len(x),), generator=draw)]
@@ -276,7 +259,4 @@ def _descend(model: Predictor, bank: StyleBank | None, data: Features, descent: 
             tensor.grad = gradient
         torch.nn.utils.clip_grad_norm_(learnt, MAX_GRADIENT)
         adam.step()
-        descent.losses.append(loss.item())
-        if (step + 1) % (EVERY * len(data.styles)) == 0 or step + 1 == total:
-            descent.judge(step + 1)
-    descent.restore()
+        yield loss.item()

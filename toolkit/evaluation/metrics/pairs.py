@@ -112,21 +112,11 @@ def stop(clip: Clip, real: Clip) -> float:
 
 
 def phase_error(phase: Tensor, truth: Tensor) -> tuple[Tensor, Tensor]:
-    """Mean circular distance of two phases after subtraction of their constant lag.
+    """Mean circular distance of phases ``[F, ...]`` without their constant lag, and the lag.
 
     The start of a cycle is a convention: the cycle of a foot may start at the middle of its contact
-    or at toe-off.
-
-    Parameters
-    ----------
-    phase, truth : Tensor [F, ...]
-        Radians.
-
-    Returns
-    -------
-    error, lag : Tensor [...]
-        Radians: the mean over the frames in [0, π], near π/2 for unrelated phases, and the lead of
-        ``phase`` in [−π, π].
+    or at toe-off. Both results ``[...]`` are in radians: the mean distance over the frames in
+    [0, π], near π/2 for unrelated phases, and the lead of ``phase`` in [−π, π].
     """
     gap = (phase - truth).double()
     lag = torch.atan2(gap.sin().mean(0), gap.cos().mean(0))

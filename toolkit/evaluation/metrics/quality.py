@@ -60,9 +60,8 @@ def through(clip: Clip) -> float:
 
 def stretch(clip: Clip) -> float:
     """Mean absolute deviation of bone lengths from their means, metres; 0 for a `Clip`."""
-    joints, parents = range(1, len(clip.skeleton)), list(clip.skeleton.parents[1:])
     p = clip.global_positions.double()
-    lengths = (p[:, list(joints)] - p[:, parents]).norm(dim=-1)
+    lengths = (p[:, 1:] - p[:, list(clip.skeleton.parents[1:])]).norm(dim=-1)
     return float((lengths - lengths.mean(0)).abs().mean())
 
 

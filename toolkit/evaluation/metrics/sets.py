@@ -19,11 +19,7 @@ def frechet_distance(a: Tensor, b: Tensor) -> float:
     compare only values of sets of the same size.
 
     The features are ``a [M, D]`` and ``b [K, D]``; M and K may differ and be smaller than D.
-
-    Raises
-    ------
-    ValueError
-        If a set has fewer than two rows or the widths differ.
+    ValueError if a set has fewer than two rows or the widths differ.
     """
     if a.dim() != 2 or b.dim() != 2 or a.shape[1] != b.shape[1] or min(len(a), len(b)) < 2:
         raise ValueError("expected features [M, D] and [K, D], M and K at least 2; "
@@ -46,10 +42,10 @@ def fmd(recogniser: Recogniser, clips: Sequence[Clip], real: Sequence[Clip],
     windows of one second: of all, or of so many of the clips, evenly spread. Compare only values of
     the same recogniser and number of windows.
     """
-    made, truth = (torch.cat([recogniser.embed(clip) for clip in some]) for some in (clips, real))
+    made = _windows(recogniser, clips)
     if windows is not None:
         made = made[torch.linspace(0, len(made) - 1, windows).round().long()]
-    return frechet_distance(made, truth)
+    return frechet_distance(made, _windows(recogniser, real))
 
 
 def nearest(recogniser: Recogniser, clips: Sequence[Clip], real: Sequence[Clip]) -> float:
@@ -57,8 +53,12 @@ def nearest(recogniser: Recogniser, clips: Sequence[Clip], real: Sequence[Clip])
 
     Much less than that of other real clips: the clips are copies.
     """
-    made, truth = (torch.cat([recogniser.embed(clip) for clip in some]) for some in (clips, real))
+    made, truth = _windows(recogniser, clips), _windows(recogniser, real)
     return float(torch.cdist(made, truth).amin(1).mean())
+
+
+def _windows(recogniser: Recogniser, clips: Sequence[Clip]) -> Tensor:
+    return torch.cat([recogniser.embed(clip) for clip in clips])
 
 
 def recognition(recogniser: Recogniser, clips: Sequence[Clip]) -> float:

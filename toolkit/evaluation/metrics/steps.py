@@ -23,11 +23,7 @@ def foot_skate(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
     ``contact [F, 2]`` is in [0, 1], right and left, for example of a network. By default a toe is
     in contact when it is low, at any speed: a speed limit would exclude the skating that is
     measured. The result has ``right`` and ``left``; NaN for a foot that is never in contact.
-
-    Raises
-    ------
-    ValueError
-        If the contacts do not have the clip's frames.
+    ValueError if the contacts do not have the clip's frames.
     """
     contact = (contacts.detect(clip, height=contacts.HEIGHT, speed=math.inf) if contact is None
                else _checked(clip, contact))
@@ -38,29 +34,14 @@ def foot_skate(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
 def feet(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
     """What feet do, in four numbers that tell sliding, swing and haste apart.
 
-    Compare them with those of real motion.
+    Compare them with those of real motion: ``skate``, mean horizontal speed of toes in contact,
+    m/s; ``clearance``, metres: how high a toe is lifted between two contacts over where it stands
+    (mean over the swings of both feet); ``steps``, landings per second; ``acceleration``, 99th
+    percentile of the toes', m/s². NaN where there is no contact or no swing.
 
-    Parameters
-    ----------
-    clip
-        The motion.
-    contact : Tensor [F, 2], optional
-        Contacts in [0, 1], right and left, for example those of a network. By default those of
-        `toolkit.motion.contacts.detect`: a toe that is low and slow, so that skate is under its
-        limit of speed.
-
-    Returns
-    -------
-    dict
-        ``skate``, mean horizontal speed of toes in contact, m/s; ``clearance``, metres: how high a
-        toe is lifted between two contacts over where it stands (mean over the swings of both
-        feet); ``steps``, landings per second; ``acceleration``, 99th percentile of the toes',
-        m/s². NaN where there is no contact or no swing.
-
-    Raises
-    ------
-    ValueError
-        If contacts are not of the clip's frames, or the clip has fewer than three frames.
+    ``contact`` is that of `foot_skate`, but by default that of `toolkit.motion.contacts.detect`: a
+    toe that is low and slow, so that skate is under its limit of speed. ValueError also if the clip
+    has fewer than three frames.
     """
     contact = contacts.detect(clip) if contact is None else _checked(clip, contact)
     if len(clip) < 3:
