@@ -136,9 +136,10 @@ class Report:
 
         table = {}
         for row in self.rows:
-            ends = [self.intervals[row["data"]][name] for name in self.columns]
-            table[row["data"], "value"] = [row[name] for name in self.columns]
-            table[row["data"], "low"], table[row["data"], "high"] = zip(*ends, strict=True)
+            method = row["data"]
+            ends = [self.intervals[method][name] for name in self.columns]
+            table[method, "value"] = [row[name] for name in self.columns]
+            table[method, "low"], table[method, "high"] = zip(*ends, strict=True)
         return pd.DataFrame(table, index=pd.Index(self.columns, name="measure"))
 
 
@@ -173,19 +174,15 @@ def report(clips: Motion | Mapping[str, Motion], real: Motion | None = None,
     if real is not None:
         data["real"] = truth = _listed(real, "real", None)
     data = {name: _listed(some, name, truth) for name, some in data.items()}
-    judge = None if recogniser is None else _Cached(recogniser)
-    columns, notes = list(CLIP), []
+    notes, judged = [], {}
     if why := _unpaired(data, truth):
         notes.append(f"without the measures of pairs ({', '.join(PAIR)}): {why}")
-    else:
-        columns += PAIR
-    if judge is None:
+    if recogniser is None:
         notes.append(f"without the measures of sets ({', '.join(SET)}): "
                      "they need a recogniser of styles")
     else:
-        columns += SET
+        judged = _sets(_Cached(recogniser), data, truth, notes)
     rows, intervals = [], {}
-    judged = _sets(judge, data, truth, notes) if judge is not None else {}
     for name, some in data.items():
         found = {key: average([f(clip) for clip in some]) for key, f in CLIP.items()}
         if not why:
@@ -195,7 +192,7 @@ def report(clips: Motion | Mapping[str, Motion], real: Motion | None = None,
         rows.append({"data": name, "n": len(some)} | {
             key: statistic(range(count)) for key, (count, statistic) in found.items()})
         intervals[name] = {key: interval(*each) for key, each in found.items()}
-    return Report(rows, columns, notes, intervals)
+    return Report(rows, list(found), notes, intervals)
 
 
 #: The number n of clips, and their measure for n choices among them: 0, 1, …, n - 1 are the clips
@@ -215,21 +212,20 @@ class _Cached:
 def _listed(motion: Motion, what: str, real: Sequence[Clip] | None) -> list[Clip | Joints]:
     """The clips of a method; arrays of joint positions become `Joints`, as the real clips are."""
     single = isinstance(motion, Clip | Joints) or getattr(motion, "ndim", 0) == 3
-    motions = [motion] if single else list(motion)
-    if not motions:
+    clips = [motion] if single else list(motion)
+    if not clips:
         raise ValueError(f"{what}: no clips to measure")
-    clips = []
-    for number, one in enumerate(motions):
-        if not isinstance(one, Clip | Joints):
-            if real is None:
-                raise ValueError(f"{what}: arrays of joints need real clips, whose skeleton and "
-                                 "rate they have")
-            skeleton, positions = real[0].skeleton, as_tensor(one, what)
-            if positions.shape[1:] != (len(skeleton), 3):
-                raise ValueError(f"{what}: expected joints [F, {len(skeleton)}, 3], "
-                                 f"got {list(positions.shape)}")
-            one = Joints(positions, skeleton, real[0].fps, name=f"{what}[{number}]")
-        clips.append(one)
+    for number, one in enumerate(clips):
+        if isinstance(one, Clip | Joints):
+            continue
+        if real is None:
+            raise ValueError(f"{what}: arrays of joints need real clips, whose skeleton and rate "
+                             "they have")
+        skeleton, positions = real[0].skeleton, as_tensor(one, what)
+        if positions.shape[1:] != (len(skeleton), 3):
+            raise ValueError(f"{what}: expected joints [F, {len(skeleton)}, 3], "
+                             f"got {list(positions.shape)}")
+        clips[number] = Joints(positions, skeleton, real[0].fps, name=f"{what}[{number}]")
     return clips
 
 
@@ -264,7 +260,6 @@ def average(values: Sequence[float]) -> Statistic:
 def _sets(judge: _Cached, data: Mapping[str, Sequence], real: Sequence | None,
           notes: list[str]) -> dict[str, dict[str, Statistic]]:
     """Measures of sets by method; a note where they cannot be trusted."""
-    absent = {key: (1, lambda _: math.nan) for key in SET}
     # Every second real clip of a style is the reference, and the row of real clips the others.
     groups: dict[str, list] = defaultdict(list)
     for clip in real or []:
@@ -273,15 +268,16 @@ def _sets(judge: _Cached, data: Mapping[str, Sequence], real: Sequence | None,
     if min(map(len, chosen), default=0) < 2:
         chosen = [list(real or [])]
     reference = [clip for group in chosen for clip in group[::2]]
-    others = [clip for group in chosen for clip in group[1::2]]
-    compared = data | ({} if real is None else {"real": others})
+    compared = dict(data)
+    if real is not None:
+        compared["real"] = [clip for group in chosen for clip in group[1::2]]
     able = [name for name, some in data.items() if all(isinstance(clip, Clip) for clip in some)]
     counts = {name: sum(len(judge.embed(clip)) for clip in compared[name]) for name in able}
     fewest = min((count for count in counts.values() if count > 1), default=0)
     if real is not None and fewest <= judge.width:
         notes.append(f"fmd of {fewest} windows: a covariance of {judge.width} features needs more "
                      "windows than features, so compare its values within this table only")
-    found = {name: dict(absent) for name in data}
+    found = {name: dict.fromkeys(SET, average([])) for name in data}
     for name in able:
         for key in ("diversity", "multimodality", "recognition-top1"):
             found[name][key] = _of(SET[key], judge, data[name])
@@ -307,10 +303,9 @@ def of_styles(styles: Sequence[str], measure: Callable[[list[int]], float]) -> S
 
     def value(chosen: Sequence[int]) -> float:
         drawn = []
-        for n, choice in enumerate(chosen):
+        for n, (choice, same) in enumerate(zip(chosen, alike, strict=True)):
             # the choice n is clip n itself; each further one is the next clip of the same style
-            own = alike[n].index(n)
-            drawn.append(alike[n][(own + int(choice) - n) % len(alike[n])])
+            drawn.append(same[(same.index(n) + int(choice) - n) % len(same)])
         return measure(drawn)
 
     return len(styles), value

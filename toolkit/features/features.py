@@ -31,8 +31,7 @@ CLIP_FRAMES, CLIP_HOP = 240, 120
 class OwnFeatures:
     """Features of each of F frames by itself, 60 Hz, physical units, of clips in a row.
 
-    x and z of a frame also depend on its neighbours. They are derived, for frames that are
-    `usable`.
+    x and z, which also depend on neighbours, are derived from them for frames that are `usable`.
     """
 
     layout: Layout
@@ -231,9 +230,8 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
 
     Parameters
     ----------
-    clips : one or several of one skeleton, labelled with style and gait; clips of the same style
-        and gait share phase axes
-    source : phase source, see `toolkit.phases`
+    clips : one or several of one skeleton, labelled with style and gait
+    source : phase source, see `toolkit.phases.extract_group`
     mirror : add mirror images of all clips or of those that a function chooses: symmetric styles
         (section 3.2), never idling (published run)
     short : ``"raise"``: a clip that holds no whole window is an error; ``"skip"``: it is left out,
@@ -312,10 +310,8 @@ def recordings(clips: Iterable[tuple[int, Clip]], *, source: str | phases.Source
 def style_rows(own: OwnFeatures, takes: Iterable[tuple[int, int]]) -> dict[str, Tensor | Rows]:
     """What `Features` holds of one style, by field.
 
-    Parameters
-    ----------
-    own : features of its recordings, one after the other
-    takes : number of the take and of frames of each; a mirror image comes just after its original
+    ``own`` are the features of its recordings, one after the other; ``takes`` the number of the
+    take and of frames of each. A mirror image comes just after its original.
     """
     device, parts = own.joints.device, []
     first = 0  # of the recording's frames, in ``own``
@@ -353,6 +349,6 @@ def check_style(name: str, names: Iterable[str]) -> None:
     if name not in names:
         by_lower = {n.lower(): n for n in names}
         near = difflib.get_close_matches(str(name).lower(), by_lower, cutoff=0.5)
-        close = [by_lower[n] for n in near]
-        there = f"close to it: {', '.join(close)}" if close else f"known: {few(names)}"
+        close = ", ".join(by_lower[n] for n in near)
+        there = f"close to it: {close}" if close else f"known: {few(names)}"
         raise UnknownStyleError(f"unknown style {shown(name)}; {there}")

@@ -28,26 +28,20 @@ class Layout:
     map blocks to slices; `joints` is J × (position 3, forward 3, up 3, velocity 3), `trajectory` is
     samples × (x, z, direction x, direction z).
 
-    Data always have the local phases of all limbs. A model may use fewer columns: see ``phase``.
+    Data always have the local phases of all limbs. A model may use fewer columns. Its ``phase`` is
+    ``"local"``: the phase vectors of the limbs; of four, p has 8 columns, z has 8 of phases and 8
+    of phase updates. ``"global"``: one angle, radians; p has 1 column, z only its update (327
+    columns for J = 25). ``"none"``: p and z have no phase columns (z: 326).
+
     Two layouts are equal if their skeletons have the same joints and End Sites in the same tree and
     similar size, the same phase, samples and limbs, see `difference`.
-
-    Parameters
-    ----------
-    skeleton : skeleton of the data
-    phase
-        ``"local"``: the phase vectors of the limbs; of four, p has 8 columns, z has 8 of phases and
-        8 of phase updates. ``"global"``: one angle, radians; p has 1 column, z only its update (327
-        columns for J = 25). ``"none"``: p and z have no phase columns (z: 326).
-    samples : offsets of the trajectory window in frames at 60 Hz, ascending: past ones, 0, future
-        ones
-    phase_limbs : the limbs or joints whose local phases the data have
     """
 
-    skeleton: Skeleton
+    skeleton: Skeleton  # of the data
     phase: str = "local"
+    # offsets of the trajectory window in frames at 60 Hz, ascending: past ones, 0, future ones
     samples: tuple[int, ...] = trajectory.SAMPLES
-    phase_limbs: tuple[str, ...] = phases.LIMBS
+    phase_limbs: tuple[str, ...] = phases.LIMBS  # limbs or joints whose phases the data have
 
     def __post_init__(self):
         if self.phase not in PHASES:
@@ -193,16 +187,14 @@ class Layout:
     @classmethod
     def from_json(cls, values: Mapping[str, Any]) -> "Layout":
         """Inverse of `to_json`; what older files lack has its default."""
-        fields = dict(values)
-        own = {name: fields.pop(name) for name in ("phase", "samples", "phase_limbs")
-               if name in fields}
-        return cls(Skeleton(**fields), **own)
+        own = {name: values[name] for name in ("phase", "samples", "phase_limbs") if name in values}
+        return cls(Skeleton(**{k: v for k, v in values.items() if k not in own}), **own)
 
 
 def _slices(widths: dict[str, int]) -> dict[str, slice]:
-    ends = list(accumulate(widths.values()))
-    blocks = zip(widths.items(), ends, strict=True)
-    return {name: slice(end - width, end) for (name, width), end in blocks}
+    ends = accumulate(widths.values())
+    return {name: slice(end - width, end)
+            for (name, width), end in zip(widths.items(), ends, strict=True)}
 
 
 def _pack(slices: dict[str, slice], blocks: dict[str, Tensor]) -> Tensor:

@@ -98,8 +98,8 @@ def apart(data: Features, style: str, held_out: Tensor) -> Tensor:
 def listed(clips: Iterable[Clip], parts: datasets.blocks.Split, **options) -> Features:
     """Features of the training and test blocks of a list (`toolkit.datasets.split`).
 
-    `split` has the same parts. ``options`` are those of `features.build`. ValueError as of
-    `pieces`, or if no clip has a training block.
+    ``options`` are those of `features.build`. ValueError as of `pieces`, or if no clip has a
+    training block.
     """
     found = list(pieces(clips, parts))
     aside = torch.tensor([held for _, _, held in found], dtype=torch.bool)

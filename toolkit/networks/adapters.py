@@ -26,10 +26,7 @@ class StyleTable(nn.Module):
     def forward(self, style: int | Tensor | None) -> Tensor:
         """Style vectors: ``[1, D]`` for one style number, ``[M, D]`` for numbers ``[M]``.
 
-        Raises
-        ------
-        ValueError
-            If a number is unknown, or None is given.
+        ValueError if a number is unknown, or None is given.
         """
         styles = len(self.vectors)
         if style is None:

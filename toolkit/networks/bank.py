@@ -70,25 +70,14 @@ class StyleBank(Mapping[str, Tensor]):
     def blend(self, blend: Mapping[str, float], *deeper: Mapping[str, float]) -> Tensor:
         """Barycentric blend ``[D]`` of style vectors, one for all layers or one for each.
 
-        Parameters
-        ----------
-        blend
-            Style to weight. Weights sum to one; negative ones extrapolate.
-        *deeper
-            Blends of the next hidden layers, if they differ from the first. A FiLM vector (γ1, β1,
-            γ2, β2) has two equal parts, one per hidden layer, so it takes one more blend.
+        Weights by style sum to one. Where one is outside of [0, 1], the vector is outside the range
+        of the known styles, and a warning says so.
 
-        Raises
-        ------
-        ValueError
-            If a style is unknown, a weight is not finite, weights do not sum to one, or the length
-            of the vectors is not a multiple of the number of blends.
+        ``deeper`` are blends of the next hidden layers, if they differ from the first. A FiLM
+        vector (γ1, β1, γ2, β2) has two equal parts, one per hidden layer, so it takes one more.
 
-        Warns
-        -----
-        UserWarning
-            If a weight is outside of [0, 1]: the vector is then outside the range of the known
-            styles.
+        ValueError if a style is unknown, a weight is not finite, weights do not sum to one, or the
+        length of the vectors is not a multiple of the number of blends.
         """
         if deeper:
             if self.vectors.shape[1] % (1 + len(deeper)):
@@ -126,10 +115,7 @@ class StyleBank(Mapping[str, Tensor]):
     def merge(self, other: "StyleBank") -> "StyleBank":
         """A new bank with another's styles after its own.
 
-        Raises
-        ------
-        ValueError
-            If the vectors differ in length, or a style is in both banks with different vectors.
+        ValueError if the vectors differ in length, or a style is in both with different vectors.
         """
         if self.vectors.shape[1] != other.vectors.shape[1]:
             raise ValueError(f"vectors [{self.vectors.shape[1]}] cannot be merged with vectors "
@@ -160,12 +146,9 @@ class StyleBank(Mapping[str, Tensor]):
                 "bank.shakes": self.shakes}
 
     def nearest(self, style: str | Tensor, k: int = 5) -> list[tuple[str, float]]:
-        """The ``k`` styles nearest to another style, or to a vector ``[D]``.
+        """The ``k`` styles nearest to another style, or to a vector ``[D]``, and their distances.
 
-        Returns
-        -------
-        list of (str, float)
-            Names and Euclidean distances, the nearest first.
+        The distances are Euclidean; the nearest style is first.
         """
         known = isinstance(style, str)
         vector = self[style] if known else as_tensor(style, "a style", self.vectors)

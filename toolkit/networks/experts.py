@@ -64,17 +64,10 @@ class Experts(nn.Module):
 
     def forward(self, x: Tensor, gates: Tensor,
                 modulate: Callable[[int, Tensor, Tensor], Tensor]) -> Tensor:
-        """Output frames ``[B, n_out]``.
+        """Normalised ``x [B, n_in]`` and ``gates [B, K]`` to output frames ``[B, n_out]``.
 
-        Parameters
-        ----------
-        x : Tensor [B, n_in]
-            Normalised input frames.
-        gates : Tensor [B, K]
-            Blending coefficients.
-        modulate
-            ``(layer, F [B, hidden], x [B, n]) -> h [B, hidden]``: the styled activation of hidden
-            layer 0 or 1, from the layer's linear output F and its inputs x.
+        ``modulate(layer, F [B, hidden], x [B, n]) -> h [B, hidden]`` is the styled activation of
+        hidden layer 0 or 1, from the layer's linear output F and its inputs x.
         """
         *hidden, last = self.layers
         for i, layer in enumerate(hidden):

@@ -71,21 +71,13 @@ class Predictor(nn.Module):
     """A model of the next frame: ẑ = f(x, p, style).
 
     `Model` has the seven models of the paper. A subclass of your own has ``__init__(layout,
-    n_styles, sizes)``, which sets `style_size`, and the methods `forward` and `encode`. These two,
-    and ``loss``, use normalised values; `predict`, `observe` and `style_vector` use physical units.
+    n_styles, sizes)``, see `build`, which sets `style_size`, and the methods `forward` and
+    `encode`. These two, and ``loss``, use normalised values; `predict`, `observe` and
+    `style_vector` use physical units. The attribute `layout` has the model's own phase.
 
     A subclass may have a method ``loss(x, phases, z, style)``, which returns what training
     minimises (a scalar). Without it that is the error of `forward`, with the bone-length loss of
     equation 5.
-
-    Parameters
-    ----------
-    layout
-        Columns of x, p, z and y in the data; the attribute `layout` has the model's own phase.
-    n_styles
-        Styles to learn.
-    sizes
-        How large the networks are; a model may use some of them.
     """
 
     #: ``"local"``, ``"global"`` or ``"none"``, see `Layout`; None: that of the given layout
@@ -143,10 +135,10 @@ class Predictor(nn.Module):
         return phase.observe(self.layout, phases, outputs)
 
     def predict(self, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:
-        """The next frame, in physical units, on the model's device and in its dtype.
+        """The next frames ``[B, Dz]``, in physical units, on the model's device and in its dtype.
 
         The model predicts in evaluation mode. Gradients are recorded if an argument requires them.
-        Arrays and lists are accepted.
+        Arrays and lists are accepted. ValueError if a number of columns is wrong.
 
         Parameters
         ----------
@@ -157,16 +149,6 @@ class Predictor(nn.Module):
             Phases in the model's form: 8 columns of local phases, one angle, or no column.
         style : Tensor [B, D] or [D]
             Style vectors, or one for all.
-
-        Returns
-        -------
-        Tensor [B, Dz]
-            Output frames.
-
-        Raises
-        ------
-        ValueError
-            If a number of columns is wrong.
         """
         x = self._columns(x, "x", self.layout.n_inputs)
         phases = self._columns(phases, "phases", self.layout.n_phases)
@@ -237,12 +219,8 @@ class Predictor(nn.Module):
         """The model among what `toolkit.io.model_files.read` returned for ``path``.
 
         It is ready to predict. No code of the file is run: a model of your own must have been
-        registered before, and the file has the name of the module that does it.
-
-        Raises
-        ------
-        ValueError
-            If the file does not hold a model, or no model of its name is registered.
+        registered before, and the file has the name of the module that does it. ValueError if the
+        file does not hold a model, or no model of its name is registered.
         """
         with model_files.intact(path, "the model's description"):
             d = parts["model"]
@@ -285,12 +263,8 @@ def imported(given: str) -> str:
     """What stands after the last colon of ``MODULE:NAME``, once that module was imported.
 
     The module may be a Python file. Modules are looked up in the current folder, too. Without a
-    colon, or for a file with one in its name, nothing is imported.
-
-    Raises
-    ------
-    ValueError
-        If there is no such file, or a module of its name was imported from elsewhere.
+    colon, or for a file with one in its name, nothing is imported. ValueError if there is no such
+    file, or a module of its name was imported from elsewhere.
     """
     place, _, name = given.rpartition(":")
     if len(place) < 2 or Path(given).exists():  # C:\\ is a drive; a file may have a colon
@@ -315,12 +289,10 @@ def build(name: str, layout: Layout, n_styles: int, sizes: Sizes | None = None,
     Parameters
     ----------
     name
-        One of `toolkit.networks.MODELS`, or the name of a model of your own, see `register`.
-    layout
-        Columns of x, p, z and y in the data. `Predictor.layout` differs from it in the columns of
-        the phase.
-    n_styles
-        Styles to learn.
+        One of `toolkit.networks.MODELS`, or the name of a model of your own, see `register`;
+        ValueError for another.
+    layout, n_styles
+        Columns of x, p, z and y in the data, and the number of styles to learn.
     sizes
         By default those of the paper.
     normalisers
@@ -328,11 +300,6 @@ def build(name: str, layout: Layout, n_styles: int, sizes: Sizes | None = None,
     generator
         Whether one of the seven models has its FiLM generator or style table. Without it the model
         cannot make style vectors.
-
-    Raises
-    ------
-    ValueError
-        If there is no model of that name.
     """
     options = {} if generator else {"generator": False}
     model = registry.find(f"model.{name}")(layout, n_styles, sizes or Sizes(), **options)

@@ -58,22 +58,14 @@ def extract(clip: Clip, source: str | Source = "hybrid") -> Phases:
 def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid") -> list[Phases]:
     """Local phases of clips of one style and gait, which share principal axes (section 4.1.3).
 
-    Parameters
-    ----------
-    clips
-        Motions, any rate.
-    source
-        A name of `SOURCES` or a function ``(clip, limb) -> Tensor [F]``. It may have ``limbs``:
-        names of any number of limbs, joints or roles, in place of `LIMBS`. It may have three
-        methods: ``fitted(clips)`` returns the source that is used instead; ``sinusoids(clip) ->
-        (curve [F, K], Sinusoids)`` replaces the fit; ``signal(curve) -> complex Tensor [F]`` gives
-        the phase by its angle where it does not return None, so that only amplitude and offset are
-        fitted.
+    The ``source`` is a name of `SOURCES` or a function ``(clip, limb) -> Tensor [F]``. It may have
+    ``limbs``: names of any number of limbs, joints or roles, in place of `LIMBS`. It may have three
+    methods: ``fitted(clips)`` returns the source that is used instead; ``sinusoids(clip) -> (curve
+    [F, K], Sinusoids)`` replaces the fit; ``signal(curve) -> complex Tensor [F]`` gives the phase
+    by its angle where it does not return None, so that only amplitude and offset are fitted.
 
-    Raises
-    ------
-    ValueError
-        If the source's name is unknown, or a clip is shorter than one second.
+    ValueError if the source's name is unknown, or a clip is shorter than one second. A source that
+    is constant for all limbs in all clips has no phase, and a warning says so.
 
     Notes
     -----
@@ -81,8 +73,7 @@ def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid") -> lis
     or more (`windows.half_window`); in the published run, in one second and half a second. The
     feature is p = ‖v‖ a (sin φ, cos φ). ``a`` is the amplitude of the fitted sinusoid (equation 1).
     The paper leaves open which speed ‖v‖ is: here the root-mean-square over one second, in the
-    hips' frame. A source that is constant for all limbs in all clips has no phase, and a warning
-    says so.
+    hips' frame.
     """
     if isinstance(source, str):
         source = named(source)
@@ -138,9 +129,7 @@ def _fitted(clip: Clip, source: Source) -> tuple[Tensor, Sinusoids]:
     found = []
     for raw, half, column in zip(raws, halves, curve.split(1, dim=1), strict=True):
         signal = source.signal(raw[:, 0]) if hasattr(source, "signal") else None
-        if signal is None:
-            found.append(fit(column, clip.fps, half))
-        else:
-            found.append(along(signal[:, None], column, clip.fps, half))
-    parts = zip(*(vars(one).values() for one in found), strict=True)
-    return curve, Sinusoids(*(torch.cat(part, 1) for part in parts))
+        one = (fit(column, clip.fps, half) if signal is None
+               else along(signal[:, None], column, clip.fps, half))
+        found.append(vars(one).values())
+    return curve, Sinusoids(*(torch.cat(part, 1) for part in zip(*found, strict=True)))

@@ -51,25 +51,12 @@ class Sinusoids:
 
 
 def fit(source: Tensor, fps: float, half_window: float = 0.5) -> Sinusoids:
-    """Fit a sinusoid around every frame.
+    """Fit a sinusoid around every frame, in a window of ``half_window`` seconds on either side.
 
-    Parameters
-    ----------
-    source : Tensor [F, L]
-        One curve per limb, finite; mirrored at its ends. Any device and dtype, which the result has
-        too; the fit itself runs on the processor, in float64.
-    fps
-        Frames per second.
-    half_window
-        Seconds on either side of the frame.
+    ``source [F, L]`` has one curve per limb, finite; mirrored at its ends. Any device and dtype,
+    which the result has too; the fit itself runs on the processor, in float64. ValueError if it is
+    not ``[F, L]`` or shorter than half a window, or `fps` is too low for 4 Hz.
 
-    Raises
-    ------
-    ValueError
-        If the source is not ``[F, L]`` or shorter than half a window, or `fps` is too low for 4 Hz.
-
-    Notes
-    -----
     Bounds as published: a in [0, max − min], f in [0.25, 4] Hz, b in [min, max] of the window.
 
     Departure: the published fit added a term for continuity with the neighbours' fits to the

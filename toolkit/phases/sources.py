@@ -47,10 +47,7 @@ def local_positions(clip: Clip, limb: str) -> Tensor:
 def curves(clip: Clip, source: Source) -> Tensor:
     """The source's curves of its K limbs ``[F, K]``, float64.
 
-    Raises
-    ------
-    ValueError
-        If it does not give one finite number per frame for every limb.
+    ValueError if it does not give one finite number per frame for every limb.
     """
     columns = []
     for limb in limbs_of(source):
@@ -104,8 +101,7 @@ class ContactFree:
             means[limb] = torch.cat(points).mean(0)
             pairs = zip(points, clips, strict=True)
             swing = torch.cat([self.swing(part, clip.fps) for part, clip in pairs])
-            centred = swing - swing.mean(0)
-            axis = torch.linalg.eigh(centred.T @ centred).eigenvectors[:, -1]
+            axis = torch.linalg.eigh(swing.T.cov()).eigenvectors[:, -1]
             forward = clips[0].skeleton.facing_axis.to(axis)
             axes[limb] = torch.where(axis @ forward < 0, -axis, axis)
         return replace(self, axes=axes, means=means)

@@ -137,13 +137,11 @@ def signal(contact: Tensor) -> Tensor | None:
     share = np.where(standing, moving, _beside(moving)) / (moving + _beside(moving))
     angle = np.pi * (np.arange(len(middle)) + (not standing[0]) + (share - WALK) * EARLY)
     # straight lines between the pauses, and far enough beyond both ends
-    rate = np.diff(angle) / (np.diff(middle) - pause[1:] - pause[:-1])
-    far = len(value)
-    first, last = middle[0] - pause[0] - far, middle[-1] + pause[-1] + far
-    times = np.stack((middle - pause, middle + pause), 1).ravel()
-    times = np.concatenate(([first], times, [last]))
-    ends = [angle[0] - rate[0] * far], [angle[-1] + rate[-1] * far]
-    angles = np.concatenate((ends[0], angle.repeat(2), ends[1]))
+    times, far = np.stack((middle - pause, middle + pause), 1).ravel(), len(value)
+    rate = np.diff(angle) / (times[2::2] - times[1:-1:2])
+    times = np.concatenate(([times[0] - far], times, [times[-1] + far]))
+    angles = np.pad(angle.repeat(2), 1, mode="edge")
+    angles[[0, -1]] += far * rate[[0, -1]] * [-1, 1]
     return torch.exp(1j * torch.from_numpy(np.interp(np.arange(far), times, angles)).to(contact))
 
 

@@ -102,16 +102,10 @@ def compare(clip: Clip, model: Predictor, style: Tensor | str, bank: StyleBank) 
     ----------
     clip
         A walk or a run on the model's skeleton, at any rate; of a long one `LONGEST` seconds in
-        the middle are compared, because many takes begin and end standing.
-    style
-        The vector ``[D]``, or a name in the bank.
-    bank
-        Styles of the model.
-
-    Raises
-    ------
-    ValueError
-        If the clip is no walk (`not_a_walk`), or the bank does not know the style.
+        the middle are compared, because many takes begin and end standing. ValueError if it is no
+        walk (`not_a_walk`).
+    style, bank
+        The vector ``[D]``, or a name in the bank of the model.
     """
     clip = clip.resample(FPS)
     if why := not_a_walk(clip):
@@ -283,16 +277,15 @@ def periodicity(clip: Clip) -> tuple[float, int]:
 
 def correlation(a: Tensor, b: Tensor) -> Tensor:
     """Pearson's correlation ``[...]`` of the last dimension of ``[..., F]``."""
-    a, b = (x - x.mean(-1, keepdim=True) for x in (a, b))
-    return (a * b).sum(-1) / (a.norm(dim=-1) * b.norm(dim=-1)).clamp_min(1e-9)
+    return cosine_similarity(*(x - x.mean(-1, keepdim=True) for x in (a, b)), dim=-1)
 
 
 def cycle(clip: Clip) -> Clip:
     """Two steps of a walk, from a landing of the right foot where there is one."""
     length = periodicity(clip)[1] or len(clip) - 1
     on = contacts.detect(clip)[: len(clip) - length, 0] > 0.5
-    landings = (on[1:] & ~on[:-1]).nonzero()[:, 0].tolist()
-    begin = landings[len(landings) // 2] if landings else 0
+    landings = (on[1:] & ~on[:-1]).nonzero()[:, 0].tolist() or [0]
+    begin = landings[len(landings) // 2]
     return clip.cut(begin, begin + length + 1)
 
 

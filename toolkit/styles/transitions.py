@@ -25,26 +25,13 @@ def transition(bank: StyleBank, stops: Mapping[float, str | Mapping[str, float]]
                easing: str = "smooth") -> Callable[[int], Tensor]:
     """A style that changes from blend to blend, for ``style`` of `toolkit.runtime.rollout`.
 
-    Parameters
-    ----------
-    bank
-        Bank of the styles.
-    stops
-        Time in seconds to the style or blend at that time, in order of time. The style is constant
-        before the first and after the last stop.
-    easing
-        One of `EASINGS`.
+    ``stops`` are times in seconds to the style or blend at that time, in order of time. The style
+    is constant before the first and after the last stop, and changes between them by the
+    ``easing``, one of `EASINGS`. The result is a function of the frame number (60 a second), which
+    gives the style vector ``[D]``.
 
-    Returns
-    -------
-    callable
-        From the frame number (60 a second) to the style vector ``[D]``.
-
-    Raises
-    ------
-    ValueError
-        If there is no stop, the times do not increase, the easing is unknown, or a blend is invalid
-        (see `StyleBank.blend`).
+    ValueError if there is no stop, the times do not increase, the easing is unknown, or a blend is
+    invalid (see `StyleBank.blend`).
     """
     seconds = [float(second) for second in stops]
     if not seconds or any(b <= a for a, b in pairwise(seconds)):

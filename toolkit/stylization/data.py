@@ -102,27 +102,23 @@ def build(clips: Sequence[Clip], mirror: bool = False) -> Motions:
 
     A shorter clip repeats its first and last frame. The ``style`` of a clip is its domain, the
     ``gait`` its content. ``mirror`` adds mirror images, with left and right exchanged in the
-    content, too.
-
-    Raises
-    ------
-    ValueError
-        If there is no clip, or the clips have different skeletons.
+    content, too. ValueError if there is no clip, or the clips have different skeletons.
     """
     if not clips:
         raise ValueError("motions need at least one clip, got none")
     domains = tuple(sorted({clip.style for clip in clips}))
-    graph, parts, labels = None, [], []
+    skeleton, parts, labels = None, [], []
     for take, clip in enumerate(clips):
-        clip = prepare(clip, graph and graph.skeleton)
-        graph = graph or SkeletonGraph.of(clip.skeleton)
+        clip = prepare(clip, skeleton)
+        skeleton = clip.skeleton
         for version in (clip, _mirrored(clip)) if mirror else (clip,):
             parts.append(windows(version))
             labels += [(domains.index(clip.style), version.gait, take)] * len(parts[-1][0])
     contents = tuple(sorted({content for _, content, _ in labels}))
     x, velocity = (torch.cat(column) for column in zip(*parts, strict=True))
     domain, content, take = torch.tensor([(d, contents.index(c), t) for d, c, t in labels]).T
-    return Motions(graph, _same_sign(x), velocity, domain, content, take, domains, contents)
+    return Motions(SkeletonGraph.of(skeleton), _same_sign(x), velocity, domain, content, take,
+                   domains, contents)
 
 
 def prepare(clip: Clip, skeleton: Skeleton | None = None) -> Clip:
@@ -175,9 +171,9 @@ def windows(clip: Clip) -> tuple[Tensor, Tensor]:
         velocity[-1] = 0
         velocity = nn.functional.pad(velocity, (0, 0, front, back))
     last = x.shape[1] - FRAMES
-    starts = [*range(0, last, FRAMES // 2), last]
-    return (torch.stack([x[:, s : s + FRAMES] for s in starts]),
-            torch.stack([velocity[s : s + FRAMES] for s in starts]))
+    starts = torch.tensor([*range(0, last, FRAMES // 2), last])
+    rows = starts[:, None] + torch.arange(FRAMES)
+    return x[:, rows].transpose(0, 1), velocity[rows]
 
 
 def to_clip(x: Tensor, root_velocity: Tensor, source: Clip) -> Clip:

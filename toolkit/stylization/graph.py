@@ -44,10 +44,9 @@ class SkeletonGraph:
                 groups += [part.tolist() for part in parts]
             groups.sort()
             home = {node: i for i, group in enumerate(groups) for node in group}
-            clusters.append(tuple(home[node] for node in range(len(home))))
+            clusters.append(tuple(home[node] for node in sorted(home)))
             # a group hangs on the group of its first node's parent; that of the root has none
-            above = [parents[-1][group[0]] for group in groups]
-            parents.append(tuple(home.get(p, -1) for p in above))
+            parents.append(tuple(home.get(parents[-1][group[0]], -1) for group in groups))
             chains = [sorted({home[node] for node in chain}) for chain in chains]
         return cls(skeleton, tuple(parents), tuple(clusters))
 

@@ -127,10 +127,9 @@ class SpatialTemporal(nn.Module):
 class Block(nn.Module):
     """Residual block of two ST-GCN units, pre-activation: (shortcut + residual) / √2.
 
-    ``inputs`` and ``outputs`` are numbers of channels, ``level`` is the finer of the two levels
-    that the block connects. The ``direction`` is "down" (ST-Resblk) or "up" (ST-AdaINResblk), the
-    ``norm`` "none" (E and D), "in" (encoder of G) or "adain" (decoder of G), for which ``code`` is
-    the length of the style code.
+    ``level`` is the finer of the two levels that the block connects. The ``direction`` is "down"
+    (ST-Resblk) or "up" (ST-AdaINResblk), the ``norm`` "none" (E and D), "in" (encoder of G) or
+    "adain" (decoder of G), for which ``code`` is the length of the style code.
     """
 
     def __init__(self, inputs: int, outputs: int, graph: SkeletonGraph, level: int, direction: str,

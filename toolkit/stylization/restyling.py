@@ -26,8 +26,7 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
     Parameters
     ----------
     model, clip
-        The ``stylizer`` of `toolkit.stylization.fit`, and a source of any rate and length on the
-        model's skeleton.
+        The ``stylizer`` of `fit`, and a source of any rate and length on the model's skeleton.
     domain, seed
         Style, and seed of its noise (equation 6); the same seed gives the same result.
     reference
@@ -38,7 +37,7 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
         half the mean-pose shift from this style to the domain. It keeps more gaits than the network
         (docs/embedded_model.md).
     feet
-        Whether to remove foot skate.
+        Whether to remove foot skate (`lock_feet`).
 
     Raises
     ------
@@ -90,7 +89,8 @@ def calm(made: Tensor, x: Tensor) -> Tensor:
     motion gets the narrowest Gaussian filter of `WIDTHS` with which it has no more jerk than its
     source ``x [B, 7, F, N]``, or the widest.
     """
-    opposite = (made[:, 3:] * x[:, 3:]).sum((1, 2), keepdim=True) < 0  # q and −q are one rotation
+    # q and −q are one rotation
+    opposite = (made[:, 3:] * x[:, 3:]).sum((1, 2), keepdim=True) < 0
     x = torch.cat((x[:, :3], torch.where(opposite, -x[:, 3:], x[:, 3:])), 1)
     change = made - x
     most, smooth = jerk(x), change
@@ -125,8 +125,8 @@ def lock_feet(clip: Clip, source: Clip) -> Clip:
     rise = torch.zeros(len(clip), 3)
     rise[:, 1] = around / weight.clamp_min(1e-6)
     made = made + rise[:, None]
-    shift = [_shift(made[:, side], height[:, side], standing[:, side]) for side in range(2)]
-    targets = made + torch.stack(shift, 1)
+    shifts = map(_shift, made.unbind(1), height.unbind(1), standing.unbind(1))
+    targets = made + torch.stack([*shifts], 1)
     targets[..., 1].clamp_(min=float(height.min()))
     root = clip.root_positions + rise
     rotations = plant_feet(clip.skeleton, clip.rotations, root, targets)

@@ -148,29 +148,11 @@ def fit(motions: Motions, config: Config | None = None,
         checkpoint: str | os.PathLike | None = None, *, resume: bool = True,
         progress: bool = False, networks: Callable = build,
         clock: Callable[[], float] = time.perf_counter) -> Run:
-    """Train the four networks.
+    """Train the four networks; for the other parameters and errors see `toolkit.training.fit`.
 
-    Parameters
-    ----------
-    motions, config
-        What to learn from, and how; by default the paper's way.
-    checkpoint, resume
-        File for the state of the run, written now and then and when it is interrupted; whether to
-        go on from it.
-    progress
-        Show a bar.
-    networks
-        Makes a stylizer and its discriminator, called like `toolkit.stylization.networks.build`.
-    clock
-        Seconds now, for `Config.seconds`: wall time, or `time.process_time`.
-
-    Raises
-    ------
-    ValueError
-        If a domain has no motion, a loss is not finite any more, or the checkpoint is of another
-        config or other data.
-    KeyboardInterrupt
-        When interrupted, after the checkpoint was written.
+    ``networks`` makes a stylizer and its discriminator, called like `networks.build`. ``clock``
+    gives the seconds now, for `Config.seconds`: wall time, or `time.process_time`. ValueError also
+    if a domain has no motion or a loss is not finite any more.
     """
     config = config or Config()
     with seeded("cpu", config.seed, INIT):

@@ -128,12 +128,8 @@ class Part:
 def build(clip: Clip, vertices: int = VERTICES) -> Mannequin:
     """The mannequin of a clip's skeleton; skeletons that are no humanoids get plain bones.
 
-    It has about as many ``vertices``.
-
-    Raises
-    ------
-    ValueError
-        If no bone is long enough for a body, or the motion too large for numbers of 32 bits.
+    It has about as many ``vertices``. ValueError if no bone is long enough for a body, or the
+    motion too large for numbers of 32 bits.
     """
     reach = max(float(clip.skeleton.offsets.abs().max()), float(clip.root_positions.abs().max()))
     if reach > LARGEST:
