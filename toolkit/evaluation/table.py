@@ -166,8 +166,7 @@ def report(clips: Motion | Mapping[str, Motion], real: Motion | None = None,
     Raises
     ------
     ValueError
-        If there is no clip, a clip is too short or lacks the joints that a measure needs, or an
-        array does not fit the skeleton.
+        If a clip is too short or lacks joints, or an array does not fit the skeleton.
     """
     data = dict(clips) if isinstance(clips, Mapping) else {"clips": clips}
     truth = None

@@ -16,19 +16,12 @@ from toolkit.networks.experts import CONTROL_POINTS, CatmullRom, Experts, Gating
 from toolkit.networks.film import Film, FilmGenerator
 from toolkit.networks.predictor import Predictor, Sizes
 
-#: Synthesis network and style modulation of each model.
-MODELS = {
-    "pfnn-onehot": "four sets of weights on a global phase (Holden et al. 2017), style by a "
-    "one-hot label",
-    "lpn-onehot": "gated experts on local phases, style by a one-hot label",
-    "pfnn-resad": "four sets of weights on a global phase, style by decomposed residual adapters "
-    "(Mason et al. 2018)",
-    "lpn-resad": "gated experts on local phases, style by full residual adapters",
-    "pfnn-film": "four sets of weights on a global phase, style by FiLM",
-    "mann-film": "gated experts on velocities of hands and feet, style by FiLM",
-    "lpn-film": "gated experts on local phases, style by FiLM after layer normalisation (the "
-    "paper's model)",
-}
+#: Synthesis network and style modulation of each model: "pfnn", four sets of weights on a global
+#: phase (Holden et al. 2017), "lpn" and "mann", gated experts on local phases, or on velocities of
+#: hands and feet; "onehot", a one-hot label, "resad", residual adapters (Mason et al. 2018), in the
+#: PFNN decomposed, "film", FiLM after layer normalisation. The last one is the paper's model.
+MODELS = ("pfnn-onehot", "lpn-onehot", "pfnn-resad", "lpn-resad", "pfnn-film", "mann-film",
+          "lpn-film")
 #: Phase representation of each synthesis network.
 PHASE = {"lpn": "local", "pfnn": "global", "mann": "none"}
 

@@ -34,7 +34,7 @@ def minima(curve, spread, middle, grid, out):
     samples; ``spread`` and ``middle`` [F] are the difference and the mean of the extremes of each
     window; ``grid`` [G] has angles per frame, its ends the bounds. All are float64.
     """
-    frames, last = len(spread), len(grid) - 1
+    frames = len(spread)
     half = (len(curve) - frames) // 2
     n = 2 * half + 1
     gains = np.empty(len(grid))
@@ -52,7 +52,7 @@ def minima(curve, spread, middle, grid, out):
     for frame in range(frames):
         # The next window: a sample leaves, the others turn by θ, a sample enters. For S = Σ y e^iθt
         # this is S ← e^−iθ (S − y_leaves e^−iθh) + y_enters e^iθh.
-        for k in range(last + 1) if frame > 0 else range(0):
+        for k in range(len(grid) if frame > 0 else 0):
             s = sums_sine[k] + curve[frame - 1] * end_sine[k]
             c = sums_cosine[k] - curve[frame - 1] * end_cosine[k]
             enters = curve[frame + n - 1]
@@ -70,7 +70,7 @@ def minima(curve, spread, middle, grid, out):
             squares += before * before + after * after
 
         # the gain on the grid, and its highest peaks refined between the angles beside them
-        for k in range(last + 1):
+        for k in range(len(grid)):
             gc = sums_cosine[k] - middle[frame] * c1[k]
             gains[k] = _project(sums_sine[k], gc, g1, ss[k], cc[k], c1[k], n, spread[frame])[3]
         out[4, frame] = math.inf
@@ -78,7 +78,7 @@ def minima(curve, spread, middle, grid, out):
             k = np.argmax(gains)
             if gains[k] < ENOUGH * (squares - out[4, frame]):
                 break
-            left, right = grid[max(k - 1, 0)], grid[min(k + 1, last)]
+            left, right = grid[max(k - 1, 0)], grid[min(k + 1, len(grid) - 1)]
             best = _refine(odd, even, g1, left, right, spread[frame])
             for theta in (grid[k], best):
                 u, v, b, gain = _evaluate(odd, even, g1, theta, spread[frame])

@@ -15,15 +15,7 @@ from toolkit.motion.tensors import summary
 from toolkit.motion.text import checked
 from toolkit.stylization.data import CHANNELS, FRAMES, Statistics
 from toolkit.stylization.graph import POOLINGS, SkeletonGraph
-from toolkit.stylization.layers import (
-    SLOPE,
-    AdaIN,
-    Block,
-    PerJoint,
-    Skip,
-    encoder,
-    he_init,
-)
+from toolkit.stylization.layers import SLOPE, AdaIN, Block, PerJoint, Skip, encoder, he_init
 
 SHRINK = 2**POOLINGS  # frames per frame of the coarsest level
 CODE_GAIN = 0.3  # share of He's deviation for layers that write or read style codes

@@ -64,20 +64,13 @@ def load(folder: str | os.PathLike | None = None, *, calibrated: bool = False) -
     character with it hardly walks. ``life`` and ``lift`` of the model are ours: 0 and 1 turn them
     off.
 
-    Parameters
-    ----------
-    folder
-        Folder of ``Xmean.bin``, ``cp0_a0.bin``, ``Style_000_scale1.bin`` …; None or
-        ``"lpn-film-100style"`` for the folder of downloaded data (`toolkit.datasets.home`).
-    calibrated
-        Compute the expected output under dropout, see `toolkit.networks.Model`. It halves the joint
-        error of one-step predictions on real motion, but it is slower and differs from the
-        published run.
+    The ``folder`` holds ``Xmean.bin``, ``cp0_a0.bin``, ``Style_000_scale1.bin`` …; None or
+    ``"lpn-film-100style"`` for that of downloaded data (`toolkit.datasets.home`). ValueError if a
+    file is missing, of another size, or holds a number that is not finite.
 
-    Raises
-    ------
-    ValueError
-        If a file is missing, of another size, or holds a number that is not finite.
+    A ``calibrated`` model computes the expected output under dropout, see `toolkit.networks.Model`.
+    This halves the joint error of one-step predictions on real motion, but it is slower and differs
+    from the published run.
     """
     if folder is None or os.fspath(folder) == DATASET:
         folder = home.find(DATASET, "Xmean.bin, cp0_a0.bin, …",
@@ -147,8 +140,7 @@ def one_step(model: Predictor, bank: StyleBank, clip: Clip, style: str,
     Raises
     ------
     ValueError
-        If the clip's joints are not the model's, the style is unknown or no frame has a whole
-        window.
+        If the clip's joints are not the model's, or no frame has a whole window.
     """
     joints, own = model.layout.names, Layout(clip.skeleton).names
     if joints != own:

@@ -58,19 +58,19 @@ class CellWidget(widgets.Widget):
     """
 
     # By cell: its last run, and what that made.
-    _made: ClassVar[dict[str, tuple[str, list[weakref.ref]]]] = {}
+    _made: ClassVar[dict[str, tuple[str, weakref.WeakSet]]] = {}
 
     def __init__(self, *arguments, **traits):
         super().__init__(*arguments, **traits)
         parent = sys.modules["IPython"].get_ipython().kernel.get_parent() if in_notebook() else {}
         if cell := parent.get("metadata", {}).get("cellId"):
-            run, made = self._made.get(cell, ("", []))
+            run, made = self._made.get(cell, ("", weakref.WeakSet()))
             if run != parent["header"]["msg_id"]:
-                for widget in filter(None, [reference() for reference in made]):
+                for widget in list(made):
                     widget.close()
-                made = []
+                made = weakref.WeakSet()
                 self._made[cell] = parent["header"]["msg_id"], made
-            made.append(weakref.ref(self))
+            made.add(self)
 
     def still(self) -> bytes:
         """A picture of such a widget, PNG."""

@@ -81,8 +81,7 @@ def web(model, bank, path: str | os.PathLike, *, title: str = "A character under
     Raises
     ------
     ValueError
-        If its numbers are not finite or too large for float16, a style is unknown, or there is no
-        character.
+        If weights are not finite or too large for float16, or a style is unknown.
     """
     if styles is not None and (not styles or isinstance(styles, str)):
         raise ValueError(f"styles must be a list of one name or more, got {styles!r}")

@@ -48,7 +48,7 @@ def html(
     Raises
     ------
     ValueError
-        If labels, contacts or styles do not fit the clips.
+        If the styles do not fit the clips, or as of `toolkit.view.play`.
     """
     _, bodies, packed = pack(clips, labels, contacts, styles, figure_of(character))
     data = {"skeletons": list(bodies.values()), "clips": packed}
@@ -114,8 +114,8 @@ def _packed(clip: Clip, label: str, contacts: np.ndarray | None,
         if any(c.shape != (len(clip),) for c in columns):
             raise ValueError(f"style weights must be [{len(clip)}] each; got "
                              f"{[list(c.shape) for c in columns]}")
-        styles = {"names": list(weights),
-                  "weights": encoded(np.clip(np.stack(columns, 1), 0, 1) * 255, "u1")}
+        shares = np.stack(columns, 1).clip(0, 1)
+        styles = {"names": list(weights), "weights": encoded(shares * 255, "u1")}
     return {
         "label": label,
         "fps": clip.fps,

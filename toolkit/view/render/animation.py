@@ -15,16 +15,7 @@ from toolkit.io.files import atomic_write
 from toolkit.io.progress import progress_bar
 from toolkit.io.save import figure_of
 from toolkit.motion import Clip
-from toolkit.view.render.bodies import (
-    BACK,
-    Body,
-    Camera,
-    Lines,
-    Pose,
-    axes,
-    cast,
-    steady_frames,
-)
+from toolkit.view.render.bodies import BACK, Body, Camera, Lines, Pose, axes, cast, steady_frames
 from toolkit.view.render.picture import INK
 from toolkit.view.render.skin import Figure
 from toolkit.view.render.stage import open_stage
@@ -43,8 +34,6 @@ def animate(
     progress: bool = False, character: str | os.PathLike | Figure | None = None
 ) -> Path:
     """Write a looping animation of one or more motions, each in a cell, on a floor with lines.
-
-    A clip shorter than the longest starts again.
 
     Parameters
     ----------
@@ -65,7 +54,7 @@ def animate(
     Raises
     ------
     ValueError
-        If there is no clip, the suffix is unknown, or labels or contacts do not fit the clips.
+        If the suffix is unknown, or as of `toolkit.view.play`.
     ImportError
         If an ``.mp4`` is asked for and PyAV is missing.
     """
@@ -103,8 +92,8 @@ class _Follow:
         swings = gaussian_filter1d(walked - straight, 0.25 * clip.fps, axis=0, mode="wrap")
         self.path = straight + swings
         self.azimuth = np.arctan2(np.sin(facing).mean(), np.cos(facing).mean()) - np.radians(view)
-        low, high = body.seen(np.arange(len(clip)), self.path, self.azimuth, TILT)
-        self.reach, self.top = max(-low[0], high[0]), high[1]
+        frames = np.arange(len(clip))
+        self.reach, self.top = body.seen(frames, self.path, self.azimuth, TILT)
         # Lines across the way are so far apart that the next round begins on one.
         travel = (walked[-1] - walked[0]) * (len(walked) / max(len(walked) - 1, 1))
         length, heading, apart = float(np.linalg.norm(travel)), facing[0], GRID

@@ -58,7 +58,7 @@ def strip(
     Raises
     ------
     ValueError
-        If there is no clip or frame to show, or labels or contacts do not fit the clips.
+        If there is no frame to show, or as of `toolkit.view.play`.
     """
     own = figure_of(character)
     clips, labels, contacts = cast(clips, labels, contacts, own)
@@ -132,8 +132,7 @@ class _Row:
 
     def __init__(self, body: Body, frames: np.ndarray, path: np.ndarray, azimuth: np.ndarray):
         self.body, self.frames, self.path, self.turns = body, frames, path, axes(azimuth, 0.0)
-        low, high = body.seen(frames, path, azimuth, TILT)
-        self.reach, self.top = max(-low[0], high[0]), high[1]
+        self.reach, self.top = body.seen(frames, path, azimuth, TILT)
 
     def draw(self, spacing: float, pixels: int, room: float) -> np.ndarray:
         """Picture [H, W, 3], ``spacing`` metres for each frame and ``room`` above the heads."""

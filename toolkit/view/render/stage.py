@@ -5,6 +5,7 @@ pyvista must be used from the main thread only.
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from PIL import Image
@@ -28,20 +29,24 @@ def lit(normals: np.ndarray, tones: np.ndarray, light: np.ndarray) -> np.ndarray
     return (255 * np.clip(linear, 0, 1) ** np.float32(1 / 2.2)).astype(np.uint8)
 
 
+@dataclass(eq=False)
 class Stage(ABC):
-    """Pictures of some bodies, ``size`` pixels wide and high.
+    """Pictures of some bodies.
 
-    Light is computed per vertex, from a lamp where ``light`` [3] points to; a shadow is the body
-    pressed flat along the light.
+    Light is computed per vertex; a shadow is the body pressed flat along the light.
     """
 
-    def __init__(self, bodies: Sequence[Body], size: tuple[int, int], light: np.ndarray,
-                 lines: Lines | None = None):
-        self.size, self.light, self.lines = size, light, lines
-        counts = [len(body.skin.points) for body in bodies]
-        first = np.cumsum([0, *counts[:-1]])
+    bodies: Sequence[Body]
+    size: tuple[int, int]  # pixels, width and height
+    light: np.ndarray  # [3] towards the lamp
+    lines: Lines | None = None
+
+    def __post_init__(self):
+        counts = [len(body.skin.points) for body in self.bodies]
+        first = np.cumsum([0, *counts])  # vertex of each body, and the number of all
+        self.count = first[-1]
         self.triangles = np.concatenate([body.skin.triangles + k
-                                         for body, k in zip(bodies, first, strict=True)])
+                                         for body, k in zip(self.bodies, first, strict=False)])
 
     def draw(self, poses: Sequence[Pose], camera: Camera) -> np.ndarray:
         """Picture [H, W, 3] uint8 of a pose of each body."""
@@ -65,29 +70,26 @@ class Stage(ABC):
 class Rendered(Stage):
     """Drawn by pyvista, off screen."""
 
-    def __init__(self, bodies: Sequence[Body], size: tuple[int, int], light: np.ndarray,
-                 lines: Lines | None = None):
+    def __post_init__(self):
         import pyvista as pv
 
-        super().__init__(bodies, size, light, lines)
-        large = [FINE * n for n in size]
+        super().__post_init__()
+        large = [FINE * n for n in self.size]
         self.plotter = pv.Plotter(off_screen=True, window_size=large, lighting="none")
         self.plotter.disable_anti_aliasing()  # the picture is averaged
         self.plotter.set_background(BACK)
-        count = sum(len(body.skin.points) for body in bodies)
-        empty = np.zeros((count, 3), np.float32)
+        empty = np.zeros((self.count, 3), np.float32)
         self.surface, self.shadow = (
             pv.PolyData.from_regular_faces(empty, self.triangles) for _ in range(2))
-        self.surface.point_data["rgb"] = np.zeros((count, 3), np.uint8)
+        self.surface.point_data["rgb"] = empty.astype(np.uint8)
         self._add(self.surface)
         self.plotter.add_mesh(self.shadow, color=SHADE, lighting=False)
         self.grid = None
-        if lines is not None:
-            ends = lines.segments()
-            pairs = np.arange(2 * len(ends)).reshape(-1, 2)
-            grid = pv.PolyData(np.float32(ends.reshape(-1, 3)),
-                               lines=np.insert(pairs, 0, 2, axis=1).ravel())
-            grid.point_data["rgb"] = (255 * lines.colors(ends).reshape(-1, 3)).astype(np.uint8)
+        if self.lines is not None:
+            ends = self.lines.segments()
+            grid = pv.line_segments_from_points(np.float32(ends.reshape(-1, 3)))
+            colors = 255 * self.lines.colors(ends).reshape(-1, 3)
+            grid.point_data["rgb"] = colors.astype(np.uint8)
             self.grid = self._add(grid, line_width=FINE)
 
     def _add(self, mesh, **options):
@@ -157,7 +159,7 @@ class Painted(Stage):
 
 def open_stage(bodies: Sequence[Body], size: tuple[int, int], light: np.ndarray,
                lines: Lines | None = None) -> Stage:
-    """The stage that works here."""
+    """The `Stage` that works here."""
     if opengl_works():
         return Rendered(bodies, size, light, lines)
     explain_missing_opengl()

@@ -40,7 +40,8 @@ class Controller(CellWidget, Corners):
     model, bank
         A model and its style bank, e.g. of `toolkit.pretrained`.
     styles
-        The triangle's corners, three names of the bank; by default three that differ.
+        The triangle's corners, three names of the bank; by default three that differ. ValueError
+        if one is unknown.
     size
         Width and height of the picture in pixels.
     character
@@ -60,11 +61,6 @@ class Controller(CellWidget, Corners):
     recording
         While true, the last ten minutes are kept for `clip`; setting it to true starts a new
         recording.
-
-    Raises
-    ------
-    ValueError
-        If a style is unknown.
     """
 
     _esm = static("scene.js")
