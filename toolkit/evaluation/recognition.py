@@ -49,7 +49,7 @@ class Recogniser(nn.Module):
         return self.out(self.hidden_features(windows))
 
     def hidden_features(self, windows: Tensor) -> Tensor:
-        """Input ``[B, 2 hidden]`` of the last layer, as in `forward`."""
+        """Input ``[B, 2 hidden]`` of the last layer."""
         h = F.elu(self.second(F.elu(self.first(windows.transpose(1, 2)))))
         return torch.cat((h.mean(-1), h.amax(-1)), -1)
 

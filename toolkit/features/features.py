@@ -270,10 +270,9 @@ def recordings(clips: Iterable[tuple[int, Clip]], *, source: str | phases.Source
     """
     clips = list(clips)
     first = clips[0][1]
-    layout = Layout(first.skeleton, samples=samples)
     groups: dict[tuple[str, str], list[tuple[int, Clip]]] = defaultdict(list)
     for take, clip in clips:
-        if why := Layout(clip.skeleton, samples=samples).difference(layout):
+        if why := Layout(clip.skeleton).difference(Layout(first.skeleton)):
             raise ValueError(f"{clip.name}: {why}, compared with {first.name}; on one skeleton: "
                              "clips = [toolkit.extra.characters.retargeting.retarget(clip, "
                              "clips[0]) for clip in clips], or train --skeleton FILE")
@@ -300,10 +299,10 @@ def recordings(clips: Iterable[tuple[int, Clip]], *, source: str | phases.Source
         names = ", ".join(map(repr, empty))
         least = samples[-1] - samples[0] + 2
         why = (f"style {names} has no clip of {least} frames ({least / trajectory.FPS:.1f} s at "
-               f"{trajectory.FPS} Hz) to learn the style")
+               f"{trajectory.FPS} Hz) to learn the style from")
         if len(empty) == len(found):
-            raise ValueError(f"{why} from")
-        warnings.warn(f"{why} from, and is left out", stacklevel=3)
+            raise ValueError(why)
+        warnings.warn(f"{why}, and is left out", stacklevel=3)
     return {style: own for style, own in found.items() if own}
 
 

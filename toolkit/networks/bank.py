@@ -37,15 +37,13 @@ class StyleBank(Mapping[str, Tensor]):
         if self.vectors.dim() != 2 or len(self.vectors) != count:
             raise ValueError(f"{count} styles need vectors [{count}, D], got "
                              f"{list(self.vectors.shape)}")
-        unknown = torch.full((count,), math.nan)
-        speeds = unknown if self.speeds is None else as_tensor(self.speeds, "speeds")
-        object.__setattr__(self, "speeds", speeds)
-        if speeds.shape != (count,):
-            raise ValueError(f"{count} styles need speeds [{count}], got {list(speeds.shape)}")
+        speeds = [math.nan] * count if self.speeds is None else self.speeds
+        object.__setattr__(self, "speeds", as_tensor(speeds, "speeds"))
         shakes = [False] * count if self.shakes is None else self.shakes
         object.__setattr__(self, "shakes", torch.as_tensor(shakes, dtype=torch.bool))
-        if self.shakes.shape != (count,):
-            raise ValueError(f"{count} styles need marks [{count}], got {list(self.shakes.shape)}")
+        for what, values in (("speeds", self.speeds), ("marks", self.shakes)):
+            if values.shape != (count,):
+                raise ValueError(f"{count} styles need {what} [{count}], got {list(values.shape)}")
         finite = zip(self.names, self.vectors.isfinite().all(-1).tolist(), strict=True)
         if bad := [name for name, known in finite if not known]:
             raise ValueError(f"the style vector of {', '.join(bad)} is not finite")
@@ -80,17 +78,16 @@ class StyleBank(Mapping[str, Tensor]):
         length of the vectors is not a multiple of the number of blends.
         """
         if deeper:
-            if self.vectors.shape[1] % (1 + len(deeper)):
-                raise ValueError(f"vectors [{self.vectors.shape[1]}] cannot be cut into "
-                                 f"{1 + len(deeper)} equal layers")
+            size, layers = self.vectors.shape[1], 1 + len(deeper)
+            if size % layers:
+                raise ValueError(f"vectors [{size}] cannot be cut into {layers} equal layers")
             whole = [self.blend(b) for b in (blend, *deeper)]
-            parts = [vector.chunk(len(whole))[layer] for layer, vector in enumerate(whole)]
-            return torch.cat(parts)
+            return torch.cat([vector.chunk(layers)[i] for i, vector in enumerate(whole)])
         shares = {name: float(weight) for name, weight in blend.items()}
         for name, share in shares.items():
             if not math.isfinite(share):
                 raise ValueError(f"the weight of style {name!r} must be finite, got {share}")
-        if not shares or abs(sum(shares.values()) - 1) > 1e-4:
+        if abs(sum(shares.values()) - 1) > 1e-4:
             raise ValueError(f"the weights of a blend must sum to 1, got {sum(shares.values()):g}")
         outside = [f"{name} {share:g}" for name, share in shares.items()
                    if not -1e-4 <= share <= 1 + 1e-4]

@@ -227,8 +227,9 @@ class Predictor(nn.Module):
             name, sizes = str(d["name"]), Sizes(**d["sizes"])
             stored = Layout.from_json(d["layout"])
             calibrated, whole = bool(d.get("calibrated", False)), bool(d.get("generator", True))
-            factors = {name: float(d[name]) for name in FACTORS if name in d}
-            if not all(-2 * (name == "ground") <= value <= 2 for name, value in factors.items()):
+            factors = {factor: float(d[factor]) for factor in FACTORS if factor in d}
+            if not all(-2 * (factor == "ground") <= value <= 2
+                       for factor, value in factors.items()):
                 raise ValueError(f"{', '.join(FACTORS)} must be from 0 to 2, ground from -2")
         if name not in registry.names("model"):
             module = str(d.get("module", "unknown"))

@@ -1,8 +1,6 @@
 """Source functions: one curve per limb, whose cycles define its phase (Mason et al. 2022, 4.1).
 
-A source is any function ``source(clip, limb) -> Tensor [F]``, limb one of `LIMBS` or of the
-source's own ``limbs``. One that learns from several clips also has ``fitted(clips) -> source``;
-`toolkit.phases.extract` calls it with the clips of a style and gait.
+`toolkit.phases.extract_group` says what a source is.
 """
 
 from collections.abc import Callable, Sequence
@@ -82,8 +80,7 @@ class Contact:
 class ContactFree:
     """Position along its first principal component, which points forward (section 4.1.3).
 
-    ``axes`` and ``means`` [3] by limb, in the hips' frame, are those of `fitted`, or else of the
-    clip itself.
+    ``axes`` and ``means`` [3] by limb are those of `fitted`, or else of the clip itself.
 
     Departure from the paper: the component is that of the `swing`, positions less their mean over
     one second. Slow drift of the posture can be larger than the swing, and turn the axis sideways.
@@ -94,7 +91,7 @@ class ContactFree:
     __repr__ = summary
 
     def fitted(self, clips: Sequence[Clip]) -> "ContactFree":
-        """The same source with the centre and axis of all frames of `clips`."""
+        """The same source with the centre and axis of all frames of clips."""
         axes, means = {}, {}
         for limb in LIMBS:
             points = [self.points(clip, limb) for clip in clips]

@@ -187,9 +187,8 @@ def _features(model: Predictor, clips: Clip | Sequence[Clip], name: str | None,
     clips = [clips] if isinstance(clips, Clip) else list(clips)
     if not any(map(skeleton.is_end, range(len(skeleton)))):
         clips = [clip.without_ends() for clip in clips]
-    wanted = features.Layout(skeleton, samples=samples)
     for clip in clips:
-        if why := features.Layout(clip.skeleton, samples=samples).difference(wanted):
+        if why := features.Layout(clip.skeleton).difference(features.Layout(skeleton)):
             raise ValueError(f"{clip.name}: {why}, compared with the model's skeleton")
     named = clips if name is None else [clip.replace(style=name) for clip in clips]
     return features.build(named, mirror=mirror, short="skip", samples=samples)

@@ -3,7 +3,7 @@
 import dataclasses
 import os
 from dataclasses import dataclass
-from importlib import resources
+from pathlib import Path
 
 import torch
 from torch import Tensor, nn
@@ -253,8 +253,7 @@ def pretrained() -> Stylizer:
 
     `docs/embedded_model.md` describes it.
     """
-    with resources.as_file(resources.files("toolkit.stylization") / "stylizer.safetensors") as path:
-        return Stylizer.load(path)
+    return Stylizer.load(Path(__file__).with_name("stylizer.safetensors"))
 
 
 def build(graph: SkeletonGraph, domains: tuple[str, ...], sizes: Sizes | None = None,
@@ -269,14 +268,14 @@ def build(graph: SkeletonGraph, domains: tuple[str, ...], sizes: Sizes | None = 
     sizes = sizes or Sizes()
     stylizer = Stylizer(graph, domains, sizes, statistics or _none(graph, domains))
     discriminator = Discriminator(graph, sizes, len(domains))
-    for network in (stylizer, discriminator):
-        he_init(network)
+    he_init(stylizer)
+    he_init(discriminator)
     nn.init.zeros_(stylizer.generator.lower.weight)
+    weak = [stylizer.encoder.branches]
+    for module in stylizer.modules():
+        if isinstance(module, AdaIN | Skip):
+            weak.append(module.affine if isinstance(module, AdaIN) else module.gain)
     with torch.no_grad():
-        stylizer.encoder.branches.weight.mul_(CODE_GAIN)
-        for module in stylizer.modules():
-            if isinstance(module, AdaIN):
-                module.affine.weight.mul_(CODE_GAIN)
-            elif isinstance(module, Skip):
-                module.gain.weight.mul_(CODE_GAIN)
+        for layer in weak:
+            layer.weight.mul_(CODE_GAIN)
     return stylizer, discriminator

@@ -118,7 +118,7 @@ class Batches:
     """What iteration n sees, as a pure function of the seed and n.
 
     Domains are equally likely, of sources and of targets. The diversity loss needs two references
-    and two noises each; ``kin`` are other motions of the sources' domains.
+    and two noises each.
     """
 
     def __init__(self, motions: Motions, z: Tensor, config: Config):
@@ -129,10 +129,10 @@ class Batches:
             raise ValueError(f"no motion of {', '.join(empty)} to train on")
 
     def __getitem__(self, n: int) -> dict[str, Tensor]:
-        """Tensors by name, see the class.
+        """Tensors by name.
 
-        ``x``, ``domain`` and ``kin`` of the sources, the ``target`` domains, ``references [2, B,
-        …]`` and ``noise [2, B, 16]``.
+        ``x`` and ``domain`` of the sources and ``kin``, other motions of their domains; the
+        ``target`` domains, ``references [2, B, …]`` and ``noise [2, B, 16]``.
         """
         b, draw = self.config.batch, generator(self.config.seed, BATCH, n)
         source, target = torch.randint(len(self.own), (2, b), generator=draw)
@@ -171,18 +171,18 @@ def fit(motions: Motions, config: Config | None = None,
     if checkpoint and resume and Path(checkpoint).exists():
         state = file.load(checkpoint)[0]
     began = clock() - state["elapsed"]
+
+    def spent() -> float:
+        return max(state["step"] / config.iterations, state["elapsed"] / config.seconds)
+
     saver = Saver(lambda: file.save(checkpoint, state) if checkpoint else None, config.save_every)
     bar = progress_bar(total=config.iterations, initial=state["step"], desc="training",
                        unit="step", show=progress)
     with saver, bar:
-        while True:
-            step, spent = state["step"], state["elapsed"] / config.seconds
-            done = max(step / config.iterations, spent)
-            if done >= 1:
-                break
+        while (done := spent()) < 1:
+            step = state["step"]
             terms = _step(stylizer, discriminator, adams, batches[step], config, step, done)
-            state["step"] += 1
-            state["elapsed"] = clock() - began
+            state |= {"step": step + 1, "elapsed": clock() - began}
             for name, value in terms.items():
                 total, count = state["sums"].get(name, (0.0, 0))
                 state["sums"][name] = total + value, count + 1
@@ -254,9 +254,9 @@ def _step(stylizer: Stylizer, discriminator: Discriminator, adams: dict[str, tor
     for name, adam in adams.items():
         rate = config.final_rate + (1 - config.final_rate) * share
         adam.param_groups[0]["lr"] = config.rates[name] * rate
+    x = batch["x"]
     if n < config.warm_up:
-        rebuilt = stylizer.generator(batch["x"], _own_code(stylizer, batch, config))
-        term = losses.content(batch["x"], rebuilt)
+        term = losses.content(x, stylizer.generator(x, _own_code(stylizer, batch, config)))
         _descend(config.weights["id"] * term, [adams["generator"], adams["encoder"]])
         return _finite({"id": term}, n)
     from_noise = n % 2 == 0  # in odd iterations codes come from references
@@ -264,7 +264,7 @@ def _step(stylizer: Stylizer, discriminator: Discriminator, adams: dict[str, tor
     made = translations(stylizer, batch, config, from_noise)
 
     # D: real motions of their own domains against results
-    x = batch["x"].requires_grad_(n % config.r1_every == 0)
+    x.requires_grad_(n % config.r1_every == 0)
     real = discriminator(x, batch["domain"])
     refused = discriminator(made["fake"].detach(), batch["target"])
     values = {"d": losses.discriminator(real, refused)}
@@ -277,12 +277,8 @@ def _step(stylizer: Stylizer, discriminator: Discriminator, adams: dict[str, tor
 
     # G, E and F (equation 12), in which "ds" is made large
     terms = terms_of(stylizer, discriminator, batch, made, config)
-    loss = 0.0
-    for name, term in terms.items():
-        weight = config.weights[name]
-        if name == "ds":
-            weight = -weight * ((1 - done) if config.fading else 1)
-        loss = loss + weight * term
+    weights = config.weights | {"ds": -config.weights["ds"] * ((1 - done) if config.fading else 1)}
+    loss = sum(weights[name] * term for name, term in terms.items())
     _descend(loss, [adams[name] for name in learning])
     return _finite(values | terms, n)
 

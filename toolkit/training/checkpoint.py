@@ -46,8 +46,7 @@ class Checkpoint:
     def load(self, path: str | os.PathLike) -> tuple[dict[str, Any], dict[str, Tensor]]:
         """Load a file into the newly built networks and optimisers; its numbers and tensors.
 
-        ValueError if the file is not a checkpoint of this kind, belongs to another config or other
-        data, or holds what does not fit the networks.
+        ValueError if it is no checkpoint of this kind, of another config or other data, or damaged.
         """
         tensors, parts = model_files.read(path, self.part)
         with model_files.intact(path, "the checkpoint"):
@@ -124,12 +123,11 @@ def starting(tensors: dict[str, Tensor], start: str) -> dict[str, Tensor]:
 
 
 class Saver(contextlib.AbstractContextManager):
-    """Saves a run every so many seconds, when it is interrupted and when it is done.
+    """Saves a run between two steps: ``every`` so many seconds, when it is interrupted or done.
 
-    It saves between two steps. Inside, the first Ctrl-C ends the step, saves and raises
-    KeyboardInterrupt; the second interrupts at once. ``every`` and ``elapsed`` (time before the run
-    was resumed) are in seconds. ``agree`` computes the means of numbers over all processes, so that
-    all stop at the same step.
+    Inside, the first Ctrl-C ends the step, saves and raises KeyboardInterrupt; the second
+    interrupts at once. ``elapsed`` is the time before the run was resumed, seconds. ``agree``
+    computes the means of numbers over all processes, so that all stop at the same step.
     """
 
     def __init__(self, save: Callable[[], None], every: float, elapsed: float = 0.0,

@@ -84,8 +84,7 @@ def fit(data: Features, config: Config | None = None,
     Raises
     ------
     ValueError
-        If a style is unknown or has no frames, or the checkpoint is of another layout or config, or
-        damaged.
+        If a style is unknown or has no frames, or as of `Checkpoint.load`.
     KeyboardInterrupt
         If interrupted; the checkpoint is written first.
     """
