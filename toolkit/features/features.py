@@ -270,9 +270,10 @@ def recordings(clips: Iterable[tuple[int, Clip]], *, source: str | phases.Source
     """
     clips = list(clips)
     first = clips[0][1]
+    layout = Layout(first.skeleton, samples=samples)
     groups: dict[tuple[str, str], list[tuple[int, Clip]]] = defaultdict(list)
     for take, clip in clips:
-        if why := Layout(clip.skeleton).difference(Layout(first.skeleton)):
+        if why := Layout(clip.skeleton, samples=samples).difference(layout):
             raise ValueError(f"{clip.name}: {why}, compared with {first.name}; on one skeleton: "
                              "clips = [toolkit.extra.characters.retargeting.retarget(clip, "
                              "clips[0]) for clip in clips], or train --skeleton FILE")
