@@ -119,11 +119,9 @@ class StyleBank(Mapping[str, Tensor]):
                              f"[{other.vectors.shape[1]}]")
         if differ := [n for n in other if n in self and not torch.equal(self[n], other[n])]:
             raise ValueError(f"both banks have {', '.join(differ)}, with different vectors")
-        names = tuple(dict.fromkeys((*self, *other)))
-        both = [torch.cat((mine, theirs)) for mine, theirs in zip(
-            self.tensors.values(), other.tensors.values(), strict=True)]
-        first = [(*self.names, *other.names).index(name) for name in names]
-        return StyleBank(names, *(values[first] for values in both))
+        new = other.select(name for name in other if name not in self.names)
+        both = zip(self.tensors.values(), new.tensors.values(), strict=True)
+        return StyleBank((*self.names, *new.names), *map(torch.cat, both))
 
     def select(self, names: Iterable[str]) -> "StyleBank":
         """A new bank of some of the styles, in the order given."""

@@ -79,9 +79,6 @@ def expected_elu(mean: Tensor, deviation: Tensor) -> Tensor:
 class FilmGenerator(nn.Module):
     """The FiLM generator Ψ (equation 2): two convolutions with max-pooling, two dense layers.
 
-    It has 39,214,592 parameters at the paper's sizes. The paper prints 35,668,530, which is the
-    number without the input channels of the convolutions.
-
     The paper does not say how γ is initialised. We start the last layer's bias with γ = 1, β = 0,
     which is plain layer normalisation. Otherwise hidden layers would be almost zero.
 

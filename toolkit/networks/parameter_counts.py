@@ -21,10 +21,8 @@ PRINTED = {
     "mann-film": (4_870_392, 35_668_530, 2_048),
     "lpn-film": (4_935_928, 35_668_530, 2_048),
 }
-WHY = (
-    "the printed number counts each convolution as filters × width weights and as many biases as "
-    "it is wide, without its input channels"
-)
+WHY = ("the printed number counts each convolution as filters × width weights and as many biases "
+       "as it is wide, without its input channels")
 
 
 @dataclass(frozen=True)

@@ -219,13 +219,6 @@ def _start(model: Predictor, bank: StyleBank | None, data: Features) -> Tensor:
     return torch.stack([bank[known] for known in best])
 
 
-def _walks(model: Predictor, bank: StyleBank) -> Tensor:
-    """Poses ``[N, 12 J]`` of the model's walks in all styles, six per second."""
-    speed, seconds = WALK
-    states = list(runtime.states(model, runtime.straight(speed, seconds), bank.vectors))
-    return torch.cat([state.joints for state in states[::10]])
-
-
 def _descend(model: Predictor, bank: StyleBank | None, data: Features, learnt: list[Tensor],
              vector: Callable[[int, Tensor], Tensor], rate: float, steps: int, weight: float,
              seed: int) -> Iterator[float]:
@@ -237,7 +230,11 @@ def _descend(model: Predictor, bank: StyleBank | None, data: Features, learnt: l
     batches = Minibatches(data, frames, 1, seed, memory=model.memory)
     joints = model.layout.inputs["joints"]
     draw = splits.generator(seed, minibatches.MIXUP)
-    poses = _walks(model, bank) if bank is not None else model.inputs_mean[None, joints]
+    # poses that are mixed in: of the model's walks in all styles, six per second
+    poses = model.inputs_mean[None, joints]
+    if bank is not None:
+        states = list(runtime.states(model, runtime.straight(*WALK), bank.vectors))
+        poses = torch.cat([state.joints for state in states[::10]])
     mean, deviation = _prior(model, bank)
     adam = torch.optim.Adam(learnt, lr=rate, fused=True)
     for step in range(steps):

@@ -85,19 +85,18 @@ class Config:
             if value is not None and not isinstance(value, Integral):
                 raise ValueError(f"{name} must be a whole number, got {value!r}")
         for name, right, wanted in (
-            ("batch", self.batch >= 1, "be a whole number from 1"),
+            *((name, getattr(self, name) >= 1, "be a whole number from 1")
+              for name in ("batch", "evaluate_every", "processes")),
             ("clips_per_batch", 1 <= self.clips_per_batch <= self.batch,
              f"be from 1 to the {self.batch} frames of a minibatch"),
             ("rate", 0 < self.rate < math.inf, "be positive and finite"),
             ("style_rate", 0 <= self.style_rate < math.inf, "be finite and not negative"),
             ("final_rate", 0 <= self.final_rate <= 1, "be in [0, 1]"),
-            ("refit", self.refit >= 0, "not be negative"),
-            ("seed", self.seed >= 0, "not be negative"),
             ("pose_mixup", 0 <= self.pose_mixup <= 1, "be in [0, 1]"),
             ("held_out", 0 <= self.held_out < 1, "be in [0, 1)"),
-            ("evaluate_every", self.evaluate_every >= 1, "be a whole number from 1"),
+            ("refit", self.refit >= 0, "not be negative"),
+            ("seed", self.seed >= 0, "not be negative"),
             ("precision", self.precision in PRECISIONS, f"be one of {', '.join(PRECISIONS)}"),
-            ("processes", self.processes >= 1, "be a whole number from 1"),
         ):
             if not right:
                 raise ValueError(f"{name} must {wanted}, got {getattr(self, name)!r}")

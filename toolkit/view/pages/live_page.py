@@ -25,7 +25,7 @@ from toolkit.runtime import rules
 from toolkit.runtime.life import PERIOD
 from toolkit.view.pages import page
 from toolkit.view.render import mannequin as body
-from toolkit.view.render.skin import Figure, encoded
+from toolkit.view.render.skin import Character, Figure, encoded
 
 CORNERS = "Neutral", "Zombie", "Aeroplane"  # styles that differ, if the bank has them
 VERTICES = 900  # of each body in a crowd
@@ -51,7 +51,7 @@ def ordered(bank) -> list[str]:
 
 def web(model, bank, path: str | os.PathLike, *, title: str = "A character under control",
         styles: Sequence[str] | None = None, half: bool = False,
-        character: str | os.PathLike | Figure | None = None, characters: int = 1) -> Path:
+        character: Character = None, characters: int = 1) -> Path:
     """Write a page with a character that keyboard, touch, gamepad and a style triangle steer;
     opened by a double click.
 
@@ -120,22 +120,15 @@ def pack(model, bank, half: bool = False, character: Figure | None = None,
     state, walk = runtime.start(model, bank.vectors[0]), example(model, bank)
     corners = (list(bank.names) * 3)[:3]
     channels = {name: 3 * i for i, name in enumerate(CHANNELS)} | {"width": 3 * len(CHANNELS)}
-    gating, experts = model.gating.layers, model.experts.layers
+    gating = [(layer.weight.T[None], layer.bias[None]) for layer in model.gating.layers]
+    experts = [(layer.weight, layer.bias) for layer in model.experts.layers]
     kinds = [model.normaliser(kind) for kind in FRAME_KINDS]
     return {
         "network": {
             "means": [numbers(kind.mean) for kind in kinds],
             "deviations": [numbers(kind.std) for kind in kinds],
-            "gating": {
-                "widths": [gating[0].weight.shape[1], *(len(layer.bias) for layer in gating)],
-                "layers": [numbers(panels(layer.weight.T[None], layer.bias[None]))
-                           for layer in gating],
-            },
-            "experts": {
-                "count": len(experts[0].weight),
-                "widths": [experts[0].weight.shape[1], *(layer.bias.shape[1] for layer in experts)],
-                "layers": [numbers(panels(layer.weight, layer.bias), half) for layer in experts]
-            },
+            "gating": dense(gating, False),
+            "experts": {"count": model.sizes.experts} | dense(experts, half),
             "epsilon": EPSILON,
             "dropped": model.dropped if model.calibrated else 0.0,
         },
@@ -206,6 +199,12 @@ def numbers(values: Tensor, half: bool = False) -> dict[str, str]:
         raise ValueError(f"weights must be finite and at most {float(np.finfo(kind).max):g} in "
                          f"{kind.name}, got {worst:g}")
     return {"type": kind.name, "data": encoded(array, kind)}
+
+
+def dense(layers: Sequence[tuple[Tensor, Tensor]], half: bool) -> dict[str, Any]:
+    """Dense layers, each of weights ``[K, in, out]`` and biases ``[K, out]``."""
+    return {"widths": [layers[0][0].shape[1], *(bias.shape[1] for _, bias in layers)],
+            "layers": [numbers(panels(*layer), half) for layer in layers]}
 
 
 def panels(weight: Tensor, bias: Tensor) -> Tensor:

@@ -18,7 +18,7 @@ from toolkit.motion import Clip, Skeleton, rotations as R
 from toolkit.view.frontend import embed, escape, static
 from toolkit.view.render import mannequin as body
 from toolkit.view.render.bodies import cast, steady_frames
-from toolkit.view.render.skin import Figure, encoded, tree
+from toolkit.view.render.skin import Character, Figure, encoded, tree
 
 UNIT = 32767  # int16 steps of a quaternion's component
 
@@ -26,7 +26,7 @@ UNIT = 32767  # int16 steps of a quaternion's component
 def html(
     clips: Clip | Sequence[Clip], path: str | os.PathLike, *, title: str = "Motion",
     caption: str = "", labels=None, contacts=None, styles=None,
-    character: str | os.PathLike | Figure | None = None
+    character: Character = None
 ) -> Path:
     """Write a page with the motion of clips, which opens by double click in any browser.
 

@@ -17,7 +17,7 @@ from toolkit.io.save import figure_of
 from toolkit.motion import Clip
 from toolkit.view.render.bodies import BACK, Body, Camera, Lines, Pose, axes, cast, steady_frames
 from toolkit.view.render.picture import INK
-from toolkit.view.render.skin import Figure
+from toolkit.view.render.skin import Character
 from toolkit.view.render.stage import open_stage
 
 TILT = 0.21  # radians by which the camera looks down
@@ -31,7 +31,7 @@ SUFFIXES = (".gif", ".png", ".apng", ".webp", ".mp4")
 def animate(
     clips: Clip | Sequence[Clip], path: str | os.PathLike, *, labels: Sequence[str] | None = None,
     fps: float = 20.0, height: int = 200, view: float = 45.0, contacts=None,
-    progress: bool = False, character: str | os.PathLike | Figure | None = None
+    progress: bool = False, character: Character = None
 ) -> Path:
     """Write a looping animation of one or more motions, each in a cell, on a floor with lines.
 

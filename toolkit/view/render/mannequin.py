@@ -6,6 +6,7 @@ those of a skeleton whose zero rotations stand upright, or else means over the c
 under a standing foot. Radii are in metres of a body whose legs are `LEG` long.
 """
 
+import copy
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -339,6 +340,7 @@ def _foot(found: _Places, side: str, s: float, put) -> None:
     ankle, toe = (found.role(f"{side}_{part}") for part in ("foot", "toe"))
     heights = found.joints[:, [ankle, toe], 1]
     total = heights.sum(1)
+    found = copy.copy(found)
     found.used = np.flatnonzero(total <= np.quantile(total, 0.1))
     up, at = found.along(ankle, "up"), np.zeros(3)
     ball = found.joint(ankle, toe)
@@ -363,4 +365,3 @@ def _foot(found: _Places, side: str, s: float, put) -> None:
                 ball + s * (length * ahead + 0.013 * sign * left + 0.022 * up))
         put(toe, *(found.moved(ankle, point, toe) for point in ends), (0.027, 0.022), side,
             foot=side)
-    found.used = np.arange(len(total))

@@ -15,7 +15,7 @@ from toolkit.io.files import atomic_write
 from toolkit.io.save import figure_of
 from toolkit.motion import Clip, root_frames
 from toolkit.view.render.bodies import BACK, Body, Camera, Pose, axes, cast, steady_frames
-from toolkit.view.render.skin import Figure as Character
+from toolkit.view.render.skin import Character
 from toolkit.view.render.stage import open_stage
 
 PAPER, INK = "#f7f6f3", "#2b323b"
@@ -37,7 +37,7 @@ class Picture(Figure):
 def strip(
     clips: Clip | Sequence[Clip], path: str | os.PathLike | None = None, *, frames: int = 8,
     labels: Sequence[str] | None = None, contacts=None, width: float = 12.0, dpi: int = 150,
-    character: str | os.PathLike | Character | None = None
+    character: Character = None
 ) -> Figure:
     """Picture of one or more motions, a row each, time from left to right.
 

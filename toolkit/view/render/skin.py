@@ -4,6 +4,7 @@ Pictures are skinned here, pages in the browser (``scene/body.js``).
 """
 
 import base64
+import os
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -29,6 +30,10 @@ class Figure(Protocol):
 
     def packed(self, follow: dict | None = None) -> dict:
         """The mesh as the browser's scene takes it."""
+
+
+#: A glTF or VRM file with a skinned mesh, what was read from it, or None for the mannequin.
+Character = str | os.PathLike | Figure | None
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,7 +8,6 @@ page asks again.
 
 import asyncio
 import math
-import os
 from collections import deque
 from collections.abc import Mapping, Sequence
 
@@ -24,7 +23,7 @@ from toolkit.runtime.life import alive
 from toolkit.view.frontend import CellWidget, running_loop, static
 from toolkit.view.pages.live_page import EASE, RUN, TURN, example, gate, ordered
 from toolkit.view.pages.page import skeleton_data
-from toolkit.view.render.skin import Figure
+from toolkit.view.render.skin import Character
 from toolkit.view.widgets.corners import Corners, corners
 
 KEPT = 600.0  # seconds of a recording, 16 MB
@@ -77,7 +76,7 @@ class Controller(CellWidget, Corners):
 
     def __init__(
         self, model, bank, *, styles: Sequence[str] | None = None,
-        size: tuple[int, int] = (640, 480), character: str | os.PathLike | Figure | None = None
+        size: tuple[int, int] = (640, 480), character: Character = None
     ):
         self._recorded: deque[np.ndarray] = deque(maxlen=round(KEPT * FPS))
         names = (ordered(bank) * 3)[:3] if styles is None else list(styles)

@@ -1,6 +1,5 @@
 """Playback in a notebook: the page draws the clips, with the code that draws them in a web page."""
 
-import os
 from collections.abc import Sequence
 
 import anywidget
@@ -12,11 +11,11 @@ from toolkit.motion import Clip
 from toolkit.view.frontend import CellWidget, in_notebook, static
 from toolkit.view.pages.page import pack
 from toolkit.view.render.picture import strip
-from toolkit.view.render.skin import Figure as Character
+from toolkit.view.render.skin import Character
 
 
 def play(clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, contacts=None,
-         character: str | os.PathLike | Character | None = None) -> "Player | Figure":
+         character: Character = None) -> "Player | Figure":
     """Play one clip or several in a notebook, side by side; elsewhere, return a picture strip.
 
     Parameters
@@ -63,7 +62,7 @@ class Player(CellWidget, anywidget.AnyWidget):
 
     def __init__(self, clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None,
                  contacts=None, size: tuple[int, int] = (640, 480),
-                 character: str | os.PathLike | Character | None = None):
+                 character: Character = None):
         self._figure, self._bodies = figure_of(character), {}
         super().__init__(size=list(size))
         self.show(clips, labels=labels, contacts=contacts)
