@@ -227,7 +227,7 @@ def step(fabric: "Fabric | Alone", objective: torch.nn.Module, adam: torch.optim
          batches: Minibatches, config: Config, number: int, rate: float) -> dict[str, float]:
     """Gradient descent on minibatch ``number`` at learning rate ``rate``; its losses.
 
-    These are those of `distributed.Objective`, which ``fabric``, of `distributed.start`, has set
+    The losses are those of `distributed.Objective`, which ``fabric`` (`distributed.start`) has set
     up. ValueError if the loss is not finite.
     """
     model = objective.model
