@@ -1,5 +1,6 @@
 """The verb `inspect`: what a motion file holds, and how it is understood."""
 
+import math
 from pathlib import Path
 from typing import Annotated
 
@@ -31,6 +32,6 @@ def inspect(
     if picture is not None:
         from toolkit import view  # imported on demand: it needs the drawing libraries
 
-        floor = found.floor if abs(found.floor) < float("inf") else 0.0
+        floor = found.floor if math.isfinite(found.floor) else 0.0
         view.strip(found.clip.moved(shift=(0.0, -floor, 0.0)), picture)
         say(f"wrote {picture}")

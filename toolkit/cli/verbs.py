@@ -22,14 +22,6 @@ class Names(list):
         super().__init__(text.split(","))
 
 
-def _unit(text: str) -> float | str:
-    """Metres, or the name of a unit."""
-    try:
-        return float(text)
-    except ValueError:
-        return text
-
-
 def _roles(text: str) -> dict[str, str]:
     """Joints by role, from ROLE=JOINT separated by commas."""
     pairs = [pair.split("=", 1) for pair in text.split(",")]
@@ -57,8 +49,8 @@ Seed = Annotated[int, typer.Option(
 Device = Annotated[str, typer.Option(help="cpu, cuda, …")]
 Resume = Annotated[bool, typer.Option(
     "--resume", help="Continue from OUT.checkpoint, which a stopped run leaves.")]
-Unit = Annotated[Any, typer.Option(
-    "--unit", parser=_unit, metavar="METRES",
+Unit = Annotated[str, typer.Option(
+    "--unit", metavar="METRES",
     help="Metres of one unit of length in a motion file, or m, cm, mm, inch, dm, CMU; by default "
          "from the body's height.")]
 Up = Annotated[str, typer.Option(

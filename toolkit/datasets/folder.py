@@ -89,11 +89,7 @@ def _table(folder: Path) -> list[OwnTake]:
             raise ValueError(f"{place}, line {number}: no style")
         if not path.is_file():
             raise ValueError(f"{place}, line {number}: no file {str(path)!r}")
-        try:
-            unit = float(unit)
-        except ValueError:
-            unit = unit or "auto"
-        takes[path] = OwnTake(path, style, gait, unit, up or "auto")
+        takes[path] = OwnTake(path, style, gait, unit or "auto", up or "auto")
     return [takes[path] for path in sorted(takes)]
 
 

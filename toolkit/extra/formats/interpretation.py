@@ -85,13 +85,15 @@ def interpret(recording: Recording, path: Path, unit: float | str = "auto", up: 
     if up not in ("auto", *AXES):
         raise ValueError(f"{path.name}: up is the axis that points up, one of auto, "
                          f"{', '.join(AXES)}; got {up!r}")
-    metres = UNITS.get(unit) if isinstance(unit, str) else unit
-    known_unit = isinstance(metres, int | float) and metres > 0 and math.isfinite(metres)
-    if unit != "auto" and not known_unit:
+    try:
+        metres = 1.0 if unit == "auto" else float(UNITS.get(unit, unit))
+    except (TypeError, ValueError):
+        metres = math.nan
+    if not 0 < metres < math.inf:
         raise ValueError(f"{path.name}: unit is metres of one unit, or one of auto, "
                          f"{', '.join(UNITS)}; got {unit!r}")
 
-    found = Findings(metres or 1.0, up)
+    found = Findings(metres, up)
     known = _roles(recording, path, roles or {}, found)
     if not look:
         found.doubts.clear()
