@@ -123,13 +123,13 @@ class _Figure(Scene):
             parts = self._inside(self.parts[cluster])
             matrix, *of = (self._numbers(parts, name)
                            for name in (b"Transform", b"Indexes", b"Weights"))
-            bone = [key for key, _ in self.below.get(cluster, ()) if key in self.models]
+            bone = self.connected(cluster, self.models)
             if not bone or len(matrix) != 16:
                 continue
             if len(of[0]) != len(of[1]) or not ((of[0] >= 0) & (of[0] < count)).all():
                 raise ValueError("the weights of a mesh do not fit its vertices")
             rows.append(np.column_stack((of[0], np.full(len(of[0]), len(bones)), of[1])))
-            bones.append(self.places[bone[0]])
+            bones.append(self.places[bone[0][0]])
             inverse.append(matrix.reshape(4, 4))
         vertex, bone, weight = np.concatenate(rows).T
         order = np.lexsort((-weight, vertex))
@@ -203,8 +203,8 @@ class _Figure(Scene):
 
     def linked(self, key: int, kind: bytes, name: bytes = b"") -> list[int]:
         """Objects of a kind that are connected to an object, or to a property of it."""
-        return [other for other, prop in self.below.get(key, ())
-                if prop == name and other in self.parts and self.parts[other].name == kind]
+        return [other for other, prop in self.connected(key, self.parts)
+                if prop == name and self.parts[other].name == kind]
 
 
 def smooth(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:

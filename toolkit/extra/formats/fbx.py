@@ -6,8 +6,9 @@ FBX has no public specification. The layout of the file is in Blender's notes on
 """
 
 import os
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+from collections import defaultdict
+from collections.abc import Container, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 import torch
@@ -63,18 +64,7 @@ class _Model:
     name: str
     kind: bytes
     values: dict[bytes, tuple]  # its properties
-    parent: int = 0  # id
     skinned: bool = False
-    tracks: list[tuple[bytes, int]] = field(default_factory=list)  # property, id of a curve node
-
-
-@dataclass
-class _CurveNode:
-    """The animation of one property in one layer: up to three curves."""
-
-    values: dict[bytes, tuple]  # of axes without a curve
-    layer: int = 0  # id
-    curves: dict[bytes, int] = field(default_factory=dict)  # ids by axis
 
 
 class Scene(Records):
@@ -89,13 +79,13 @@ class Scene(Records):
         # Objects by id
         self.models: dict[int, _Model] = {}
         self.stacks: dict[int, str] = {}
-        self.layers: dict[int, int] = {}  # the stack of each layer
-        self.curve_nodes: dict[int, _CurveNode] = {}
+        self.layers: set[int] = set()
+        # values of a property's axes that have no curve
+        self.curve_nodes: dict[int, dict[bytes, tuple]] = {}
         self.curves: dict[int, Record] = {}
-        self.clusters: set[int] = set()  # of a skin, each follows one bone
         self.parts: dict[int, Record] = {}  # objects of `FIGURE`
-        self.below: dict[int, list[tuple[int, bytes]]] = {}  # what is connected to each, and how
-        links = []
+        # what is connected to each object, and to which property of it
+        self.below: dict[int, list[tuple[int, bytes]]] = defaultdict(list)
         for top in self.records(27, len(data)):
             for entry in self.children(top):
                 if top.name == b"FBXHeaderExtension":
@@ -106,11 +96,15 @@ class Scene(Records):
                 elif top.name == b"Objects":
                     self._object(entry)
                 elif top.name == b"Connections":
-                    links.append(self.values(entry))
+                    self._connect(self.values(entry))
             if top.name == b"GlobalSettings":
                 self.settings = self.properties(top)
-        for link in links:
-            self._connect(link)
+
+        # A cluster of a skin follows one bone
+        for part, record in self.parts.items():
+            if record.name == b"Deformer":
+                for key, _ in self.connected(part, self.models):
+                    self.models[key].kind, self.models[key].skinned = BONES[0], True
 
     def _time_unit(self, entry: Record) -> None:
         """Since 2020 a flag may say that time has another unit."""
@@ -132,42 +126,31 @@ class Scene(Records):
             case b"AnimationStack":
                 self.stacks[key] = title
             case b"AnimationLayer":
-                self.layers[key] = 0
+                self.layers.add(key)
             case b"AnimationCurveNode":
-                self.curve_nodes[key] = _CurveNode(self.properties(record))
+                self.curve_nodes[key] = self.properties(record)
             case b"AnimationCurve":
                 self.curves[key] = record
             case _:
                 self.parts[key] = record
-                if kind == b"Cluster":
-                    self.clusters.add(key)
 
     def _connect(self, link: list) -> None:
-        """Connect an object to another one, or to a property of it."""
+        """Note that an object is connected to another one, or to a property of it."""
         if len(link) < 3 or not all(isinstance(x, int) for x in link[1:3]):
             return
         _, key, to, *prop = link
-        name = prop[0] if prop and isinstance(prop[0], bytes) else b""
-        self.below.setdefault(to, []).append((key, name))
-        if key in self.models and to in self.models:
-            self.models[key].parent = to
-        elif key in self.layers and to in self.stacks:
-            self.layers[key] = to
-        elif key in self.curve_nodes and to in self.layers:
-            self.curve_nodes[key].layer = to
-        elif key in self.curve_nodes and to in self.models:
-            self.models[to].tracks.append((name, key))
-        elif key in self.curves and to in self.curve_nodes:
-            self.curve_nodes[to].curves[name] = key
-        elif key in self.models and to in self.clusters:
-            self.models[key].kind, self.models[key].skinned = BONES[0], True
+        self.below[to].append((key, prop[0] if prop and isinstance(prop[0], bytes) else b""))
+
+    def connected(self, to: int | None, among: Container[int]) -> list[tuple[int, bytes]]:
+        """Those of some objects that are connected to an object, and to which property."""
+        return [(key, name) for key, name in self.below.get(to, ()) if key in among]
 
     def recording(self, animation: str | int | None) -> Recording:
         """An animation on the largest skeleton."""
         doubts: list[str] = []
-        chosen_nodes = self._layer(animation, doubts)
-        keys = {key for tracks in chosen_nodes.values() for node in tracks.values()
-                for key in node.curves.values() if key in self.curves}
+        tracks = self._layer(animation, doubts)
+        keys = {key for of in tracks.values() for node in of.values()
+                for key, _ in self.connected(node, self.curves)}
         curves = {key: read_curve(self, self.curves[key], self.second) for key in keys}
 
         # One rate for all curves
@@ -175,20 +158,21 @@ class Scene(Records):
         own = float(self._setting(b"CustomFrameRate", USUAL))
         usual = RATES.get(mode, own if mode == OWN_RATE and 1 <= own <= 1000 else USUAL)
         times = [curve.times for curve in curves.values() if len(curve.times) > 1]
-        joints = sum(m.kind in BONES or bool(chosen_nodes[key]) for key, m in self.models.items())
+        joints = sum(m.kind in BONES or bool(tracks[key]) for key, m in self.models.items())
         at, rate = sampled(times, usual, joints, len(self.data))
 
-        moved = {key: {name: _track(self.models[key], name, node, curves, at, doubts)
-                       for name, node in tracks.items()} for key, tracks in chosen_nodes.items()}
-        nodes = self.nodes(moved)
-        return record(nodes, len(at), rate, format_="FBX", unit=self.unit, up=self.up,
+        moved = {model: {name: self._track(model, name, node, curves, at, doubts)
+                         for name, node in of.items()} for model, of in tracks.items()}
+        return record(self.nodes(moved), len(at), rate, format_="FBX", unit=self.unit, up=self.up,
                       doubts=doubts)
 
     def nodes(self, moved: dict[int, dict[bytes, np.ndarray]]) -> list[Node]:
         """The models as nodes; ``moved`` holds the animated properties of some."""
         places, nodes = {key: i for i, key in enumerate(self.models)}, []
+        parents = {child: places[key] for key in self.models
+                   for child, _ in self.connected(key, self.models)}
         for key, model in self.models.items():
-            node = Node(model.name, places.get(model.parent, -1),
+            node = Node(model.name, parents.get(key, -1),
                         *_transform(model.values, moved.get(key, {})),
                         skinned=model.skinned, plain=model.kind in (*BONES, b"Null"))
             node.joint = model.kind in BONES or len(node.rotation) > 1 or len(node.translation) > 1
@@ -215,38 +199,37 @@ class Scene(Records):
         return "xyz"[up] if up in (0, 1, 2) and sign == 1 else None
 
     def _layer(self, animation: str | int | None,
-               doubts: list[str]) -> dict[int, dict[bytes, _CurveNode]]:
+               doubts: list[str]) -> dict[int, dict[bytes, int]]:
         """For each model the curve nodes by property, of the first layer that has any."""
         index = chosen(list(self.stacks.values()), animation, doubts)
         stack = [*self.stacks, None][index]
-        used = {node.layer for node in self.curve_nodes.values()}
-        layers = [key for key, of in self.layers.items() if of == stack and key in used]
-        if len(layers) > 1:
-            doubts.append(f"the animation has {len(layers)} layers; only the first was read")
-        return {key: {name: self.curve_nodes[node] for name, node in model.tracks
-                      if self.curve_nodes[node].layer in layers[:1] and name in TRACKS}
-                for key, model in self.models.items()}
+        layers = [{node for node, _ in self.connected(layer, self.curve_nodes)}
+                  for layer, _ in self.connected(stack, self.layers)]
+        used = [nodes for nodes in layers if nodes]
+        if len(used) > 1:
+            doubts.append(f"the animation has {len(used)} layers; only the first was read")
+        return {model: {name: node for node, name in self.connected(model, self.curve_nodes)
+                        if used and node in used[0] and name in TRACKS} for model in self.models}
+
+    def _track(self, model: int, name: bytes, node: int, curves: dict[int, Curve],
+               at: np.ndarray, doubts: list[str]) -> np.ndarray:
+        """Values ``[F, 3]`` of an animated property.
+
+        An axis without a curve has the value of the curve node, or else of the model.
+        """
+        still, track = triple(self.models[model].values, name), np.empty((len(at), 3))
+        own = {axis: curves[key] for key, axis in self.connected(node, self.curves)}
+        for i, axis in enumerate((b"d|X", b"d|Y", b"d|Z")):
+            if axis in own and len(own[axis].times):
+                track[:, i], said = own[axis](at)
+                doubts += [doubt for doubt in said if doubt not in doubts]
+            else:
+                track[:, i] = number(self.curve_nodes[node].get(axis, still[i : i + 1]))
+        return track
 
     def _setting(self, name: bytes, default: float) -> float:
         value = self.settings.get(name, (default,))[:1]
         return value[0] if value and isinstance(value[0], int | float) else default
-
-
-def _track(model: _Model, name: bytes, node: _CurveNode, curves: dict[int, Curve],
-           at: np.ndarray, doubts: list[str]) -> np.ndarray:
-    """Values ``[F, 3]`` of an animated property.
-
-    An axis without a curve has the value of the curve node, or else of the model.
-    """
-    still, track = triple(model.values, name), np.empty((len(at), 3))
-    for i, axis in enumerate((b"d|X", b"d|Y", b"d|Z")):
-        curve = curves.get(node.curves.get(axis, 0))
-        if curve is not None and len(curve.times):
-            track[:, i], said = curve(at)
-            doubts += [doubt for doubt in said if doubt not in doubts]
-        else:
-            track[:, i] = number(node.values.get(axis, still[i : i + 1]))
-    return track
 
 
 def number(values: Sequence) -> float:
