@@ -20,7 +20,7 @@ import toolkit as tk
 from experiments.tables import Result, Store
 from toolkit.extra.characters.retargeting import report, retarget
 from toolkit.motion import root_frames, rotations as R
-from toolkit.motion.roles import SIDES
+from toolkit.motion.roles import SIDES, Tree
 
 PEOPLE = (1.3, 2.1)  # metres
 WALKS = 0.4  # m/s: faster frames of a walk must face where they go
@@ -145,9 +145,8 @@ def _of_people(
 ) -> list[str]:
     """What is wrong about a person's clip."""
     points, skeleton = clip.global_positions, clip.skeleton
-    head = points[:, tk.extra.formats.role_checks.head(skeleton.names, skeleton.parents,
-                                          skeleton.offsets.norm(dim=-1).tolist(),
-                                          skeleton.roles)[-1], 1]
+    tree = Tree(skeleton.parents, skeleton.offsets.norm(dim=-1).tolist())
+    head = points[:, tk.extra.formats.role_checks.head(skeleton.names, tree, skeleton.roles)[-1], 1]
     feet = points[:, [skeleton.role(f"{side}_foot") for side in SIDES], 1].amax(1)
     mirrored = clip.mirrored()
     wrong = {

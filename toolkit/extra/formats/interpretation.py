@@ -20,7 +20,7 @@ from toolkit.extra.formats.role_checks import misfits
 from toolkit.io import files
 from toolkit.io.recording import Recording
 from toolkit.motion import Clip, Skeleton, rotations as R
-from toolkit.motion.roles import LENGTHS, ROLES, find
+from toolkit.motion.roles import LENGTHS, ROLES, Tree, find
 
 UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "inch": 0.0254, "dm": 0.1, "CMU": 0.05644}  # metres
 PEOPLE = (1.3, 2.1)  # metres: height of people
@@ -108,12 +108,12 @@ def interpret(recording: Recording, path: Path, unit: float | str = "auto", up: 
         if not np.isfinite(body.together).all():
             raise ValueError(f"{path.name}: holds rotations or positions that are not finite")
         if up == "auto":
-            found.up = _up(body, recording, found)
+            found.up = _up(body, found)
         if unit == "auto":
-            found.unit = _unit(body, recording, found)
+            found.unit = _unit(body, found)
         _measure(body, found)
-        _travel(body, recording, fps, found)
-        _others(body, recording, found)
+        _travel(body, fps, found)
+        _others(body, found)
 
     # To metres with y up: the root alone is turned
     rotations, positions = recording.rotations, recording.root_positions * found.unit
@@ -147,7 +147,7 @@ def _roles(recording: Recording, path: Path, given: Mapping[str, str],
 
     # Roles that cannot be true are an error if they were given, otherwise they are dropped
     joints = {role: joint for role, (joint, _) in known.items()}
-    for problem, roles in misfits(names, parents, lengths, joints):
+    for problem, roles in misfits(names, Tree(parents, lengths), joints):
         if any(role in given for role in roles):
             raise ValueError(f"{path.name}: {problem}")
         found.doubts.append(problem)
@@ -195,9 +195,10 @@ def _measure(body: RecordedBody, found: Findings) -> None:
                             f"clip.moved(shift=(0, {-found.floor:.2f}, 0)) moves the floor")
 
 
-def _travel(body: RecordedBody, recording: Recording, fps: float, found: Findings) -> None:
+def _travel(body: RecordedBody, fps: float, found: Findings) -> None:
     """Doubts where the root goes faster than people do, or the feet do not go with it."""
-    steps = np.linalg.norm(np.diff(recording.root_positions.numpy(), axis=0), axis=1)
+    path = body.recording.root_positions.numpy()
+    steps = np.linalg.norm(np.diff(path, axis=0), axis=1)
     with np.errstate(over="ignore"):  # `Clip` refuses such positions
         speeds = steps * found.unit * fps
         usual = float(np.median(speeds)) if len(speeds) else 0.0
@@ -211,7 +212,7 @@ def _travel(body: RecordedBody, recording: Recording, fps: float, found: Finding
         found.doubts.append(f"the body jumps by {speeds[at] / fps:.2f} m from frame {at} to "
                             f"{at + 1}; clip.cut(…) keeps one part")
     elif body.has("toe") and len(steps) > 2:
-        reach = np.linalg.norm(np.ptp(recording.root_positions.numpy(), axis=0))
+        reach = np.linalg.norm(np.ptp(path, axis=0))
         _feet(body, fps, found, steps.sum() * found.unit, reach * found.unit)
 
 
@@ -237,27 +238,27 @@ def _feet(body: RecordedBody, fps: float, found: Findings, way: float, reach: fl
         found.doubt(f"the body goes {reach:.0f} m, and its feet hardly move", option)
 
 
-def _others(body: RecordedBody, recording: Recording, found: Findings) -> None:
+def _others(body: RecordedBody, found: Findings) -> None:
     """A doubt about joints that do not belong to the body: a second person."""
     if "hips" not in body.joint:
         return
-    own = {*body.tree.up(body.joint["hips"]), *body.tree.below(body.joint["hips"]), *body.head}
-    ends = {recording.names.index(name) for name in recording.ends}
-    limbs = {*body.joint.values()} - own
-    others = {*range(len(recording.names))} - own - ends
-    if len(others) >= MANY and not limbs:
-        found.doubts.append(f"{len(others)} joints are beside the body, such as "
-                            f"{recording.names[min(others)]}: a second person or a prop moves with "
-                            "it; delete them")
+    hips = body.joint["hips"]
+    own = {*body.tree.up(hips), *body.tree.below(hips), *body.head}
+    others = [name for j, name in enumerate(body.names)
+              if j not in own and name not in body.recording.ends]
+    if len(others) >= MANY and own.issuperset(body.joint.values()):
+        found.doubts.append(f"{len(others)} joints are beside the body, such as {others[0]}: "
+                            "a second person or a prop moves with it; delete them")
 
 
-def _up(body: RecordedBody, recording: Recording, found: Findings) -> str:
+def _up(body: RecordedBody, found: Findings) -> str:
     """The axis from feet to head, in the mean over the clip."""
-    usual = recording.up or "y"
+    stated = body.recording.up
+    usual = stated or "y"
     if not len(body.standing):
         found.doubt(f"no head and feet show which axis points up: {usual} is assumed", "up=")
         return usual
-    if recording.up is None and body.resting == "z":  # along other axes only bones lie
+    if stated is None and body.resting == "z":  # along other axes only bones lie
         usual = "z"
     length = np.linalg.norm(body.standing, axis=1, keepdims=True).clip(1e-9)
     mean = (body.standing / length).mean(0)
@@ -267,48 +268,37 @@ def _up(body: RecordedBody, recording: Recording, found: Findings) -> str:
         found.doubt(f"the body is not upright in most frames: {usual} is assumed to point up",
                     "up=")
         return usual
-    if recording.up and seen != recording.up:
-        found.doubt(f"the file says that {recording.up} points up, the body stands along {seen}",
-                    "up=")
+    if stated and seen != stated:
+        found.doubt(f"the file says that {stated} points up, the body stands along {seen}", "up=")
         return seen
 
     # The body may lie in a world whose up is another axis: then it is near zero along that one
-    low = body.along(seen).min()
-    stands = abs(low) < 0.15 * body.leg or not body.points[0].any()
-    lying = [other for other in "xyz" if other not in seen and (
-        _low(body, other) if other == usual else not stands and _on_floor(body, other))]
-    if lying:
+    stands = abs(body.along(seen).min()) < 0.15 * body.leg or not body.points[0].any()
+
+    def lies(up: str) -> bool:
+        """Whether the hips are low if that axis points up."""
+        low, hips = body.along(up).min(), heights(body.points[body.joint["hips"]], up)
+        if up == usual:  # no joint is below zero: in a bed, crawling
+            return low > -0.1 * body.leg and np.median(hips) < 1.2 * body.leg
+        return not stands and abs(low) < 0.3 * body.leg and np.median(hips) < 0.4 * body.leg
+
+    if lying := [other for other in "xyz" if other not in seen and lies(other)]:
         found.doubt(f"the body stands along {seen} or lies with {lying[0]} up: {seen} is taken",
                     "up=")
     elif seen[0] == "-":
         found.doubt(f"the body stands along {seen}, or is upside down: {seen} is taken", "up=")
     else:
         # People go across the direction from feet to head, and not along it
-        goes = np.ptp(recording.root_positions.numpy(), axis=0)
+        goes = np.ptp(body.recording.root_positions.numpy(), axis=0)
         if goes[axis] > 2 * body.leg and goes[axis] > 2 * np.delete(goes, axis).max():
             found.doubt(f"the body goes along {seen}, from its feet to its head: it may lie, with "
                         f"another axis up; {seen} is taken", "up=")
     return seen
 
 
-def _on_floor(body: RecordedBody, up: str) -> bool:
-    """Whether the body begins near zero along an axis, as on a floor, with its hips low."""
-    return abs(body.along(up).min()) < 0.3 * body.leg and _hips(body, up) < 0.4 * body.leg
-
-
-def _low(body: RecordedBody, up: str) -> bool:
-    """Whether no joint is below zero along an axis, and the hips are low: in a bed, crawling."""
-    return body.along(up).min() > -0.1 * body.leg and _hips(body, up) < 1.2 * body.leg
-
-
-def _hips(body: RecordedBody, up: str) -> float:
-    """Median height of the hips along an axis."""
-    return float(np.median(heights(body.points[body.joint["hips"]], up)))
-
-
-def _unit(body: RecordedBody, recording: Recording, found: Findings) -> float:
+def _unit(body: RecordedBody, found: Findings) -> float:
     """Metres of one unit: the one of `UNITS` with which the body is as tall as people are."""
-    tall, stated = body.height, recording.unit
+    tall, stated = body.height, body.recording.unit
     if not tall > 0:
         unit = stated or UNITS["cm"]
         found.doubt(f"no head and legs show the unit of length: {named(unit)} is assumed", "unit=")

@@ -31,9 +31,9 @@ class RecordedBody:
 
     def __init__(self, recording: Recording, roles: Mapping[str, str]):
         self.recording, self.names = recording, recording.names
-        self.lengths = recording.offsets.norm(dim=-1).tolist()
-        self.tree = Tree(recording.parents, self.lengths)
-        self.head = head(self.names, recording.parents, self.lengths, roles)  # path from the root
+        self.tree = Tree(recording.parents, recording.offsets.norm(dim=-1).tolist())
+        self.lengths = self.tree.lengths
+        self.head = head(self.names, self.tree, roles)  # path from the root
         self.joint = {role: self.names.index(name) for role, name in roles.items() if role in ROLES}
 
     def has(self, *parts: str) -> bool:

@@ -9,10 +9,10 @@ from toolkit.motion.roles import CHAINS, SIDES, Tree
 NOTHING = 1e-3  # of the longest bone: a bone between two roles that is shorter is none
 
 
-def misfits(names: Sequence[str], parents: Sequence[int], lengths: Sequence[float],
+def misfits(names: Sequence[str], tree: Tree,
             roles: Mapping[str, str]) -> list[tuple[str, list[str]]]:
     """Limbs out of order or without length, in words, each with the roles of the limb."""
-    tree, longest, problems = Tree(parents, lengths), max(lengths[1:], default=0.0), []
+    longest, problems = max(tree.lengths[1:], default=0.0), []
     for side in SIDES:
         for chain in CHAINS.values():
             have = [f"{side}_{part}" for part in chain if f"{side}_{part}" in roles]
@@ -26,14 +26,13 @@ def misfits(names: Sequence[str], parents: Sequence[int], lengths: Sequence[floa
     return problems
 
 
-def head(names: Sequence[str], parents: Sequence[int], lengths: Sequence[float],
-         roles: Mapping[str, str]) -> list[int]:
+def head(names: Sequence[str], tree: Tree, roles: Mapping[str, str]) -> list[int]:
     """Path from the root to the head, and to the top of the head if there is such a point.
 
     The head is the joint called so, else the end of the longest path between the arms. The path is
     empty if there are no arms.
     """
-    tree, said = Tree(parents, lengths), role_words.read_all(names)
+    said = role_words.read_all(names)
     arms = [tree.up(names.index(roles[f"{side}_shoulder"]))[::-1]
             for side in SIDES if f"{side}_shoulder" in roles]
     if len(arms) < 2:
