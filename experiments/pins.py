@@ -95,7 +95,7 @@ def run(seed: Annotated[int, typer.Option(help="Of the first shot.")] = FIRST,
         walk, clip = plain.render(model, bank), made.render(model, bank)
         plan = made.plan(bank)
         moved = dataclasses.replace(made, pins=())
-        moved = moved._drawn(model, moved._walked(model, bank, plan), plan[0])
+        moved = moved.drawn(model, moved._walked(model, bank, plan), plan[0])
         parts = [next(p for p in (*LIMBS, "look") if getattr(pin, p)) for pin in made.pins]
         cost = (seconds(lambda m=made: m.render(model, bank)) / len(clip)
                 / seconds(lambda p=plain: p.render(model, bank)) * len(walk))

@@ -87,8 +87,8 @@ def test_a_model_walks_the_plan_in_the_styles_that_it_knows(fast, monkeypatch):
     monkeypatch.setitem(PLAN, "tracks", {"stop": PLAN["tracks"]["stop"]})
     monkeypatch.setitem(PLAN, "seeds", [0])
     model, bank = fast
-    made = walk(model, bank, {"exhausted": "Old"})
-    assert list(made) == ["stop_exhausted_0", "stop_normal_0"]
+    made = walk(model, bank)
+    assert list(made) == ["stop_normal_0"]
     rows = score(made, Judges.load(), "procedural").rows
     assert rows["direction"][0] < 10
     assert rows["stop"][0] < 0.1

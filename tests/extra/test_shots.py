@@ -394,7 +394,7 @@ def test_pins_are_reached_and_the_feet_and_the_frames_between_stay(embedded):
     model, bank = embedded
     plan, frames = PINNED.plan(bank), range(len(PINNED.plan(bank)[0].distance) - 1)
     states = PINNED._walked(model, bank, plan)
-    walk = dataclasses.replace(PINNED, pins=())._drawn(model, states, plan[0])
+    walk = dataclasses.replace(PINNED, pins=()).drawn(model, states, plan[0])
     made = PINNED.render(model, bank)
     assert pins.missed(PINNED.pins, made) == PINNED.check(model, bank) == []
     assert len(pins.missed(PINNED.pins, walk)) == 3

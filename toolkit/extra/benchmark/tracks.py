@@ -3,7 +3,6 @@
 import hashlib
 import json
 import math
-from collections.abc import Mapping
 from importlib import resources
 from typing import Any
 
@@ -45,29 +44,17 @@ def commands(track: str, pace: float, seed: int = 0) -> list[runtime.Command]:
     return made
 
 
-def walk(model: Any, bank: StyleBank, names: Mapping[str, str] | None = None,
-         progress: bool = False) -> dict[str, Clip]:
+def walk(model: Any, bank: StyleBank, progress: bool = False) -> dict[str, Clip]:
     """A model's walks: a clip for each track, style and seed, named ``track_style_seed``.
 
-    Parameters
-    ----------
-    names
-        The bank's name of each style of the plan; by default the same ones, and ``Neutral`` for
-        ``normal``. Styles that the bank does not have are left out.
-
-    Raises
-    ------
-    ValueError
-        If the bank has none of the styles.
+    Styles that the bank does not have are left out; ``Neutral`` counts as ``normal``. ValueError if
+    it has none.
     """
-    names = dict(names or {})
-    for style in PLAN["styles"]:
-        same = style if style in bank.names else "Neutral" if style == "normal" else ""
-        names.setdefault(style, same)
-    names = {style: own for style, own in names.items() if own in bank.names}
+    names = {style: style for style in PLAN["styles"] if style in bank.names}
+    if "Neutral" in bank.names:
+        names.setdefault("normal", "Neutral")
     if not names:
-        raise ValueError(f"the bank has none of the styles {', '.join(PLAN['styles'])}; give its "
-                         "names for some of them")
+        raise ValueError(f"the bank has none of the styles {', '.join(PLAN['styles'])}")
     clips, skipped = {}, round(PLAN["warm_up"] * FPS)
     people = [(style, own, seed) for style, own in names.items() for seed in PLAN["seeds"]]
     vectors = torch.stack([bank[own] for _, own, _ in people])

@@ -118,17 +118,17 @@ class _Figure(Scene):
     def _skin(self, geometry: int, count: int) -> tuple[dict, np.ndarray, np.ndarray]:
         """The skin of a mesh; joints and weights ``[V, 4]`` of its vertices, the largest ones."""
         bones, inverse, rows = [], [], [np.zeros((0, 3))]
-        for cluster in [cluster for skin in self.linked(geometry, b"Deformer")
-                        for cluster in self.linked(skin, b"Deformer")]:
+        skins = self.linked(geometry, b"Deformer")
+        for cluster in [part for skin in skins for part in self.linked(skin, b"Deformer")]:
             parts = self._inside(self.parts[cluster])
-            matrix, *of = (self._numbers(parts, name)
-                           for name in (b"Transform", b"Indexes", b"Weights"))
+            matrix, vertices, weights = (self._numbers(parts, name) for name in (
+                b"Transform", b"Indexes", b"Weights"))
             bone = self.connected(cluster, self.models)
             if not bone or len(matrix) != 16:
                 continue
-            if len(of[0]) != len(of[1]) or not ((of[0] >= 0) & (of[0] < count)).all():
+            if len(vertices) != len(weights) or not ((vertices >= 0) & (vertices < count)).all():
                 raise ValueError("the weights of a mesh do not fit its vertices")
-            rows.append(np.column_stack((of[0], np.full(len(of[0]), len(bones)), of[1])))
+            rows.append(np.column_stack((vertices, np.full(len(vertices), len(bones)), weights)))
             bones.append(self.places[bone[0][0]])
             inverse.append(matrix.reshape(4, 4))
         vertex, bone, weight = np.concatenate(rows).T

@@ -18,7 +18,6 @@ from toolkit.extra.formats.gltf_file import (
     member,
     members,
     numbers_of,
-    whole_of,
 )
 from toolkit.extra.formats.nodes import descending, unique
 from toolkit.io.files import named
@@ -272,11 +271,7 @@ class _Reader:
         if not known or "bufferView" not in images[source]:
             return None
         if source not in self.images and len(self.images) < TEXTURES:
-            views = self.file.listed("bufferViews")
-            view = views[index_of(images[source], "bufferView", len(views))]
-            start, size = (whole_of(view, key, 0) for key in ("byteOffset", "byteLength"))
-            data = self.file.buffer(index_of(view, "buffer", len(self.file.listed("buffers"))))
-            self.images[source] = _pixels(bytes(data[start : start + size]))
+            self.images[source] = _pixels(bytes(self.file.view(images[source])[1]))
         return self.images.get(source)
 
 

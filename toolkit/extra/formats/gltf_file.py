@@ -85,7 +85,7 @@ class Document:
         kind = COMPONENTS.get(whole_of(accessor, "componentType"))
         if kind is None or "bufferView" not in accessor or "sparse" in accessor:
             raise ValueError(f"accessor {index} has no numbers, sparse ones or an unknown type")
-        values = self._view(accessor, kind, count, width)
+        values = self._values(accessor, kind, count, width)
 
         # Accessors may share their bytes. All together they stay in proportion to the file.
         self.decoded += count * width
@@ -99,23 +99,27 @@ class Document:
             raise ValueError(f"accessor {index} has numbers that are not finite")
         return made
 
-    def _view(self, of: dict, kind: str, count: int, width: int) -> np.ndarray:
-        """Values ``[count, width]`` where they lie in a buffer; ``of`` is an accessor."""
-        views = self.listed("bufferViews")
-        view = views[index_of(of, "bufferView", len(views))]
+    def _values(self, accessor: dict, kind: str, count: int, width: int) -> np.ndarray:
+        """Values ``[count, width]`` of an accessor where they lie in a buffer."""
+        view, data = self.view(accessor)
         if packed := [name for name in PACKED if name in member(view, "extensions")]:
             raise ValueError(f"it is compressed by {packed[0]}; {self.unpacking}")
         number = np.dtype(kind).itemsize
         row = number * width
         stride = whole_of(view, "byteStride", row) or row
-        start, size = whole_of(view, "byteOffset", 0), whole_of(view, "byteLength", 0)
-        offset = whole_of(of, "byteOffset", 0)
-        buffer = self.buffer(index_of(view, "buffer", len(self.listed("buffers"))))
+        offset = whole_of(accessor, "byteOffset", 0)
         end = offset + (count - 1) * stride + row if count else 0
-        if stride < row or end > size or start + size > len(buffer):
+        if stride < row or end > len(data):
             raise ValueError("an accessor reaches beyond its buffer")
-        return np.ndarray((count, width), kind, buffer, start + offset if count else 0,
-                          (stride, number))
+        return np.ndarray((count, width), kind, data, offset if count else 0, (stride, number))
+
+    def view(self, of: dict) -> tuple[dict, memoryview]:
+        """The buffer view of an accessor or an image, and its bytes."""
+        views, buffers = self.listed("bufferViews"), self.listed("buffers")
+        view = views[index_of(of, "bufferView", len(views))]
+        start, size = whole_of(view, "byteOffset", 0), whole_of(view, "byteLength", 0)
+        data = memoryview(self.buffer(index_of(view, "buffer", len(buffers))))
+        return view, data[start : start + size]
 
     def buffer(self, index: int) -> memoryview | bytes:
         """The bytes of a buffer, read once."""

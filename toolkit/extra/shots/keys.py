@@ -86,20 +86,19 @@ class StyleKey:
     def __post_init__(self):
         within(self, time=(0, LONGEST))
         choice(self.easing, "easing", EASINGS)
-        blends = {self.blend: 1.0} if isinstance(self.blend, str) else self.blend
-        for blend in (layers := [blends] if isinstance(blends, Mapping) else blends):
-            if not isinstance(blend, Mapping) or not 0 < len(blend) <= MANY:
-                raise ValueError(f"a blend is a style's name or weights of up to {MANY} styles, "
-                                 f"got {shown(self.blend)}")
-            weights = [number(w, f"the weight of {shown(name)}", -FAR, FAR)
-                       for name, w in blend.items()]
-            if abs(sum(weights) - 1) > 1e-4:
-                raise ValueError(f"the weights of a blend must sum to 1, got {sum(weights):g}")
-        if not layers or isinstance(layers, str):
-            raise ValueError("a blend is a style's name or weights of styles, got "
-                             f"{shown(self.blend)}")
-        plain = [{str(name): float(w) for name, w in blend.items()} for blend in layers]
-        object.__setattr__(self, "blend", plain[0] if isinstance(blends, Mapping) else tuple(plain))
+        given = {self.blend: 1.0} if isinstance(self.blend, str) else self.blend
+        layers = [given] if isinstance(given, Mapping) else given
+        if not isinstance(layers, Sequence) or not layers or not all(
+                isinstance(blend, Mapping) and 0 < len(blend) <= MANY for blend in layers):
+            raise ValueError(f"a blend is a style's name or weights of up to {MANY} styles, "
+                             f"got {shown(self.blend)}")
+        made = [{str(name): number(w, f"the weight of {shown(name)}", -FAR, FAR)
+                 for name, w in blend.items()} for blend in layers]
+        for blend in made:
+            if abs(sum(blend.values()) - 1) > 1e-4:
+                raise ValueError("the weights of a blend must sum to 1, got "
+                                 f"{sum(blend.values()):g}")
+        object.__setattr__(self, "blend", made[0] if isinstance(given, Mapping) else tuple(made))
 
     @property
     def layers(self) -> tuple[Blend, ...]:

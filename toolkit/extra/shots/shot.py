@@ -175,9 +175,10 @@ class Shot:
         bits differ.
         """
         plan = self.plan(bank)
-        return self._drawn(model, self._walked(model, bank, plan), plan[0])
+        return self.drawn(model, self._walked(model, bank, plan), plan[0])
 
-    def _drawn(self, model, states: CharacterState, course: Course) -> Clip:
+    def drawn(self, model, states: CharacterState, course: Course) -> Clip:
+        """The motion of states (`walking.joined`), with the pins of the shot met."""
         skeleton = model.layout.skeleton
         with torch.no_grad():
             drawn = pose(model, states, feet=self.feet, arms=self.arms)
@@ -186,14 +187,13 @@ class Shot:
 
     def _walked(self, model, bank: StyleBank, plan: tuple[Course, Heading]) -> CharacterState:
         """The states of all frames, along the leading axis."""
-        course, style = plan[0], self.style(bank)
-        if not (frames := len(course.distance) - 1):
-            raise ValueError(f"{self.name}: has no frames")
+        style = self.style(bank)
 
         def ask(frame: int, place: Pair) -> Asked:
             return *following.command(*plan, frame, place), style(frame)
 
-        return rolled(model, first(model, [self], [style], [plan]), frames, ask)
+        state = first(model, [self], [style], [plan])
+        return rolled(model, state, len(plan[0].distance) - 1, ask)
 
     def check(self, model, bank: StyleBank) -> list[str]:
         """What cannot be met and why, a line each; empty if all can. The shot is tried for it."""
@@ -201,7 +201,7 @@ class Shot:
         states = self._walked(model, bank, plan)
         lines = self.unmet(bank, plan, [tuple(place) for place in states.root[:, :2].tolist()])
         if self.pins:
-            lines += pins.missed(self.pins, self._drawn(model, states, plan[0]))
+            lines += pins.missed(self.pins, self.drawn(model, states, plan[0]))
         return lines
 
     def unmet(self, bank: StyleBank, plan: tuple[Course, Heading], places: list[Pair]) -> list[str]:

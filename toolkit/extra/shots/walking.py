@@ -38,10 +38,9 @@ def first(model, shots: Sequence, styles,
     return dataclasses.replace(state, phase=torch.view_as_real(turned).flatten(1))
 
 
-def rolled(
-    model, state: CharacterState, frames: int, ask: Callable[[int, Pair], Asked]
-) -> CharacterState:
-    """The states of so many frames, along the leading axis and without their style."""
+def rolled(model, state: CharacterState, frames: int,
+           ask: Callable[[int, Pair], Asked]) -> CharacterState:
+    """The states of so many frames, as `joined`."""
     if hasattr(type(model), "roll"):  # compiled: the loop over frames, too
         return model.roll(state, frames, ask)
     states = []
@@ -50,5 +49,10 @@ def rolled(
         with torch.no_grad():
             state = step(model, state.with_style(style), Command(velocity, facing))
         states.append(state)
-    parts = {name: torch.cat([getattr(s, name) for s in states]) for name in FIELDS}
-    return CharacterState(**parts, style=state.style.new_empty(frames, 0))
+    return joined(states)
+
+
+def joined(states: Sequence[CharacterState], character: int = 0) -> CharacterState:
+    """The states of a character over all frames, along the leading axis and without their style."""
+    parts = {name: torch.stack([getattr(s, name)[character] for s in states]) for name in FIELDS}
+    return CharacterState(**parts, style=states[0].style.new_empty(len(states), 0))
