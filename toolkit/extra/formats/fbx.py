@@ -101,9 +101,9 @@ class Scene(Records):
                 self.settings = self.properties(top)
 
         # A cluster of a skin follows one bone
-        for part, record in self.parts.items():
-            if record.name == b"Deformer":
-                for key, _ in self.connected(part, self.models):
+        for cluster, part in self.parts.items():
+            if part.name == b"Deformer":
+                for key, _ in self.connected(cluster, self.models):
                     self.models[key].kind, self.models[key].skinned = BONES[0], True
 
     def _time_unit(self, entry: Record) -> None:
