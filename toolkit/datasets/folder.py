@@ -87,7 +87,7 @@ def _table(folder: Path) -> list[OwnTake]:
         path = folder / path
         if not style:
             raise ValueError(f"{place}, line {number}: no style")
-        if not path.is_file():
+        if not (path.is_file() and path.is_relative_to(folder)):
             raise ValueError(f"{place}, line {number}: no file {str(path)!r}")
         takes[path] = OwnTake(path, style, gait, unit or "auto", up or "auto")
     return [takes[path] for path in sorted(takes)]

@@ -49,6 +49,7 @@ def contents(path: Path) -> bytes:
         raise BVHError(f"{path}: cannot be read ({error.strerror})") from error
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         data = data.decode("utf-16", errors="replace").encode()
+    data = data.removeprefix(b"\xef\xbb\xbf")  # UTF-8's mark
     if b"," in data and not re.search(rb"\d\.\d", data):
         data = re.sub(rb"(?<=\d),(?=\d)", b".", data)
     return data
@@ -62,9 +63,9 @@ def hierarchy(path: Path, data: bytes) -> tuple[list[Joint], int]:
     """Joints and End Sites, parents first, and the offset in bytes behind the word MOTION."""
     motion = _MOTION.search(data)
     lines = _lines(data[: motion.end()] if motion else data)
-    first = next((i for i, line in enumerate(lines) if line.lstrip("\ufeff").strip()), 0)
+    first = next((i for i, line in enumerate(lines) if line.strip()), 0)
     start = lines[first] if lines else ""
-    if not start.lstrip("\ufeff").strip().upper().startswith("HIERARCHY"):
+    if not start.strip().upper().startswith("HIERARCHY"):
         raise BVHError(f"{path}, line {first + 1}: expected HIERARCHY, got {start[:40]!r}")
     if not motion:
         raise BVHError(f"{path}, line {len(lines)}: the file ends before MOTION")
@@ -115,7 +116,7 @@ def hierarchy(path: Path, data: bytes) -> tuple[list[Joint], int]:
 def _statements(lines: list[str], first: int) -> Iterator[tuple[int, list[str]]]:
     """Line number and words of every statement; a brace is a statement of its own."""
     for number, line in enumerate(lines, first):
-        for part in re.split("([{}])", line) if "{" in line or "}" in line else (line,):
+        for part in re.split("([{}])", line):
             if words := part.split():
                 yield number, words
 

@@ -51,10 +51,10 @@ def read(path: str | os.PathLike, part: str) -> tuple[dict[str, Tensor], dict[st
     path = Path(path)
     try:
         with opened(path), safe_open(path, framework="pt") as file:
-            metadata = file.metadata() or {}
-            if len(file.keys()) > TENSORS:
-                raise ValueError(f"{path}: has {len(file.keys())} tensors, more than {TENSORS}")
-            tensors = {name: file.get_tensor(name).clone() for name in list(file.keys())}
+            metadata, names = file.metadata() or {}, list(file.keys())
+            if len(names) > TENSORS:
+                raise ValueError(f"{path}: has {len(names)} tensors, more than {TENSORS}")
+            tensors = {name: file.get_tensor(name).clone() for name in names}
     except OSError as error:
         why = error.strerror or "no such file"
         raise ValueError(f"{path}: cannot be read ({why})") from error

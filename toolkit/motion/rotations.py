@@ -122,9 +122,7 @@ def to_matrix(q: Tensor) -> Tensor:
 
 def from_matrix(m: Tensor) -> Tensor:
     """Unit quaternions (w >= 0) of rotation matrices ``m [..., 3, 3]``."""
-    m00, m11, m22 = m[..., 0, 0], m[..., 1, 1], m[..., 2, 2]
-    m01, m02, m12 = m[..., 0, 1], m[..., 0, 2], m[..., 1, 2]
-    m10, m20, m21 = m[..., 1, 0], m[..., 2, 0], m[..., 2, 1]
+    m00, m01, m02, m10, m11, m12, m20, m21, m22 = m.flatten(-2).unbind(-1)
     x, y, z = m21 - m12, m02 - m20, m10 - m01
     xy, xz, yz = m10 + m01, m02 + m20, m21 + m12
     # Each row is a multiple of the same quaternion; the one with the largest diagonal is exact.
