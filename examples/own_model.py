@@ -15,7 +15,7 @@ import toolkit as tk
 
 sys.path.insert(0, str(Path(__file__).parent / "models"))
 FAST = bool(os.environ.get("TOOLKIT_FAST"))
-STEPS, SECONDS = (60, 12.0) if FAST else (1000, 60.0)
+STEPS, SECONDS, WALK = (60, 12.0, 2.0) if FAST else (1000, 60.0, 6.0)
 TINY = tk.networks.Sizes(hidden=64, film_channels=8, film_kernel=5, film_dense=32, dropout=0.0)
 SIZES = TINY if FAST else tk.networks.Sizes.small()
 
@@ -31,7 +31,7 @@ for name in ("lpn-film", *(file.replace("_", "-") for file in files)):
     config = tk.training.Config.quick(model=name, steps=STEPS, sizes=SIZES)
     runs[name] = run = tk.training.fit(data, config)
     seconds = time.perf_counter() - began
-    commands = tk.runtime.straight(1.0, 6.0)
+    commands = tk.runtime.straight(1.0, WALK)
     clips[name] = tk.runtime.rollout(run.model, commands, run.bank["Zombie"])
     count = sum(p.numel() for p in run.model.parameters())
     overall = run.table()[-1]

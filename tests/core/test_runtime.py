@@ -31,8 +31,8 @@ class Replay:
 
 def test_a_command_of_arrays_is_its_own_key():
     one, other = (runtime.Command(torch.zeros(3, 2)) for _ in range(2))
-    assert one == one
-    assert {one: 1, other: 2} == {other: 2, one: 1}
+    assert one == one != other  # tensors have no single truth
+    assert len({one, other}) == 2
 
 
 @pytest.fixture
@@ -198,9 +198,6 @@ def test_pilots_keep_to_the_path(walk_clip):
 
 
 def test_bad_commands_are_refused(small_run):
-    ahead = [runtime.Command((0.0, 1.0), (0.0, 1.0)) for _ in range(2)]
-    assert len({*ahead}) == 2  # tensors have no single truth: each is equal to itself alone
-    assert ahead[0] != ahead[1]
     with pytest.raises(ValueError, match="no frames to record"):
         runtime.rollout(small_run.model, [], small_run.bank.vectors[0])
     with pytest.raises(ValueError, match="two or more different"):
@@ -268,7 +265,7 @@ def seven(two_styles):
     sizes = tk.networks.Sizes(
         hidden=16, experts=3, gating=8, film_channels=4, film_kernel=5, film_dense=8, rank=4
     )
-    quick = functools.partial(tk.training.Config.quick, steps=40, refit=0, sizes=sizes)
+    quick = functools.partial(tk.training.Config.quick, steps=20, refit=0, sizes=sizes)
     return {name: tk.training.fit(two_styles, quick(model=name)) for name in tk.networks.MODELS}
 
 

@@ -56,7 +56,7 @@ def test_own_models_learn_and_are_listened_to(ran):
     assert model.style_size == model.modulation.size == 2 * (32 + 64)
     for run in found["runs"].values():
         assert all(row["error"] < min(row["other"], 0.9 * row["mean"]) for row in run.table())
-    assert all(len(clip) == 360 for clip in found["clips"].values())
+    assert all(len(clip) == 120 for clip in found["clips"].values())
     assert "low-rank: " in said
     # as no FiLM, whose file it might be taken for
     with pytest.raises(ValueError, match="low-rank"):
