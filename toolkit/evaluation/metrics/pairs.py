@@ -35,16 +35,13 @@ def npss(clip: Clip, real: Clip) -> float:
     Source: github.com/cr7anand/neural_temporal_models, ``metrics.py``.
     """
     check_pair(clip, real)
-    truth = R.unroll(real.global_rotations.double())
-    made = R.unroll(clip.global_rotations.to(truth))
-    powers, shares = [], []
-    for x in (made, truth):
-        power = torch.fft.fft(x.flatten(1), dim=0).abs().square()
-        total = power.sum(0)
-        powers.append(total)
-        shares.append((power / torch.where(total > 0, total, 1.0)).cumsum(0))
-    distance = (shares[0] - shares[1]).abs().sum(0)
-    return float((distance * powers[1]).sum() / powers[1].sum())
+    truth = real.global_rotations.double()
+    both = [R.unroll(q).flatten(1) for q in (clip.global_rotations.to(truth), truth)]
+    power = torch.fft.fft(torch.stack(both), dim=1).abs().square()
+    total = power.sum(1, keepdim=True)
+    shares = (power / torch.where(total > 0, total, 1.0)).cumsum(1)
+    distance, weight = (shares[0] - shares[1]).abs().sum(0), total[1, 0]
+    return float((distance * weight).sum() / weight.sum())
 
 
 def geodesic(clip: Clip, real: Clip) -> float:
@@ -85,14 +82,13 @@ def trajectory_error(clip: Clip, real: Clip) -> float:
     Source: github.com/AIGAnimation/CAMDM, ``Evaluation/eval_traj_alignment.py``.
     """
     check_pair(clip, real)
-    steps = []
-    for each in (clip, real):
-        steps.append(hips_path(each).diff(dim=0).to(clip.global_positions) * each.fps)
-    moving = torch.stack([step.norm(dim=-1) >= STILL for step in steps]).all(0)
+    steps = torch.stack([hips_path(each).diff(dim=0).to(clip.global_positions) * each.fps
+                         for each in (clip, real)])
+    moving = (steps.norm(dim=-1) >= STILL).all(0)
     if not moving.any():
         return math.nan
-    (x, z), (other_x, other_z) = (step[moving].unbind(-1) for step in steps)
-    return float(torch.atan2((x * other_z - z * other_x).abs(), x * other_x + z * other_z).mean())
+    x, z = steps[:, moving].unbind(-1)
+    return float(torch.atan2((x[0] * z[1] - z[0] * x[1]).abs(), x.prod(0) + z.prod(0)).mean())
 
 
 def stop(clip: Clip, real: Clip) -> float:

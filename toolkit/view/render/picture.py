@@ -68,17 +68,19 @@ def strip(
     for clip, feet in zip(clips, contacts, strict=True):
         at = instants(clip, frames)
         walked, facing = steady_frames(clip, 0.5)
-        rows.append(_Row(Body(clip, feet, own), at, walked[at], facing[at] - np.radians(VIEW)))
+        rows.append((Body(clip, feet, own), at, walked[at], facing[at] - np.radians(VIEW)))
     # All rows have the columns of the widest body, and room for the label above the tallest.
-    spacing = max(0.7, *(2 * row.reach + 0.04 for row in rows))
+    seen = [body.seen(*row, TILT) for body, *row in rows]
+    spacing = max(0.7, *(2 * reach + 0.04 for reach, _ in seen))
     room = max(0.2, 0.34 * spacing * frames / width)
-    images = [row.draw(spacing, round(dpi * width), room) for row in rows]
+    images = [_drawn(*row, top + room, spacing, round(dpi * width))
+              for row, (_, top) in zip(rows, seen, strict=True)]
     heights = [image.shape[0] / dpi for image in images]
     total = sum(heights)
     figure = Picture(figsize=(width, total), dpi=dpi, facecolor=BACK)
     FigureCanvasAgg(figure)
     bottom = total
-    for image, high, text, row in zip(images, heights, labels, rows, strict=True):
+    for image, high, text, (body, at, *_) in zip(images, heights, labels, rows, strict=True):
         bottom -= high
         axes = figure.add_axes((0, bottom / total, 1, high / total))
         axes.imshow(image, extent=(0, width, 0, high), aspect="auto", interpolation="antialiased")
@@ -86,8 +88,8 @@ def strip(
         axes.set(xlim=(0, width), ylim=(0, high))
         axes.text(0.2, high - 0.12, text, size=12, weight="bold", color=INK, va="top",
                   parse_math=False)
-        for k, frame in enumerate(row.frames):
-            axes.text((k + 0.5) * width / frames, 0.07, f"{frame / row.body.clip.fps:.2f} s",
+        for k, frame in enumerate(at):
+            axes.text((k + 0.5) * width / frames, 0.07, f"{frame / body.clip.fps:.2f} s",
                       size=7, color=INK, alpha=0.6, ha="center")
     if path is not None:
         with atomic_write(path) as file:
@@ -123,26 +125,20 @@ def instants(clip: Clip, count: int) -> np.ndarray:
     return np.searchsorted(strides, phases).clip(max=len(clip) - 1)
 
 
-class _Row:
-    """Some ``frames`` [N] of a body, side by side.
+def _drawn(body: Body, frames: np.ndarray, path: np.ndarray, azimuth: np.ndarray, top: float,
+           spacing: float, pixels: int) -> np.ndarray:
+    """Picture [H, W, 3] of ``frames`` [N] of a body, side by side, ``spacing`` metres for each.
 
     Each has the point ``path`` [N, 3] of the floor in its middle and is seen from an own
-    ``azimuth`` [N]. ``reach`` and ``top`` are how far the body goes to either side and upwards.
+    ``azimuth`` [N], up to the height ``top``.
     """
-
-    def __init__(self, body: Body, frames: np.ndarray, path: np.ndarray, azimuth: np.ndarray):
-        self.body, self.frames, self.path, self.turns = body, frames, path, axes(azimuth, 0.0)
-        self.reach, self.top = body.seen(frames, path, azimuth, TILT)
-
-    def draw(self, spacing: float, pixels: int, room: float) -> np.ndarray:
-        """Picture [H, W, 3], ``spacing`` metres for each frame and ``room`` above the heads."""
-        wide, high = spacing * len(self.frames), self.top + room - BOTTOM
-        middle = np.array([wide / 2, (self.top + room + BOTTOM) / 2 / np.cos(TILT), 0.0])
-        poses = []
-        for frame, place, turn in zip(self.frames, self.path, self.turns, strict=True):
-            column = np.array([(len(poses) + 0.5) * spacing, 0.0, 0.0])
-            poses.append(Pose(self.body, frame, turn, column - turn @ place))
-        stage = open_stage([self.body] * len(poses), (pixels, round(pixels * high / wide)),
-                           np.array([-0.35, 1.0, 0.3]))
-        with closing(stage):
-            return stage.draw(poses, Camera(middle, 0.0, TILT, high))
+    wide, high = spacing * len(frames), top - BOTTOM
+    middle = np.array([wide / 2, (top + BOTTOM) / 2 / np.cos(TILT), 0.0])
+    poses = []
+    for frame, place, turn in zip(frames, path, axes(azimuth, 0.0), strict=True):
+        column = np.array([(len(poses) + 0.5) * spacing, 0.0, 0.0])
+        poses.append(Pose(body, frame, turn, column - turn @ place))
+    stage = open_stage([body] * len(poses), (pixels, round(pixels * high / wide)),
+                       np.array([-0.35, 1.0, 0.3]))
+    with closing(stage):
+        return stage.draw(poses, Camera(middle, 0.0, TILT, high))
