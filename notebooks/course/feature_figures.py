@@ -53,7 +53,7 @@ def carried(clip: Clip, frame: int, positions: int = 24) -> go.Figure:
         there = there.moved(
             shift=(-clip.root_positions[60] * torch.tensor([1.0, 0.0, 1.0])).tolist()
         )
-        x = features.frames(there, start=60, stop=61).inputs[0].numpy()
+        x = features.frames(there).inputs[0].numpy()  # of frame 60
         place = there.global_positions[60]
         body = go.Scatter3d(
             **bones(clip.skeleton.parents, place, (0, 1, 2)), mode="lines", hoverinfo="skip",

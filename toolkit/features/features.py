@@ -145,17 +145,15 @@ class Frames:
     __repr__ = summary
 
 
-def frames(clip: Clip, ph: phases.Phases | None = None, start: int = 0, stop: int | None = None,
+def frames(clip: Clip, ph: phases.Phases | None = None,
            samples: tuple[int, ...] = trajectory.SAMPLES) -> Frames:
     """x, p and z of every frame whose trajectory window lies inside the clip (section 3.2).
 
     ``ph`` are the clip's phases, by default those of the hybrid source; ``samples`` are those of a
-    `Layout`. ``start`` and ``stop`` limit the frames, not their past and future. ValueError if the
-    clip is not at 60 Hz or no frame has its whole window inside.
+    `Layout`. ValueError if the clip is not at 60 Hz or no frame has its whole window inside.
     """
     own = own_features(clip, phases.extract(clip) if ph is None else ph, samples)
     at = usable(len(clip), own.joints.device, samples)
-    at = at[(at >= start) & (at < (len(clip) if stop is None else stop))]
     if not len(at):
         raise _too_short(clip, samples)
     return Frames(own.inputs(at), own.phases[at], own.outputs(at), at)

@@ -168,10 +168,7 @@ def one_step(model: Predictor, bank: StyleBank, clip: Clip, style: str,
 
 def frames_of(layout: Layout, clip: Clip, frames: tuple[int, int | None]) -> features.Frames:
     """Features of some frames of a real clip, see `one_step`, with up to a second around them."""
-    scale, samples = trajectory.FPS / clip.fps, layout.samples
-    stop = math.inf if frames[1] is None else round(frames[1] * scale)
-    clip = clip.resample(trajectory.FPS)
-    start, stop = round(frames[0] * scale), min(stop, len(clip))
-    first = max(0, start + samples[0])
-    clip = clip.cut(first, min(len(clip), stop + samples[-1] + 1))
-    return features.frames(clip, None, start - first, stop - first, samples)
+    (start, stop), scale, samples = frames, trajectory.FPS / clip.fps, layout.samples
+    stop = None if stop is None else round(stop * scale) + samples[-1] + 1
+    window = clip.resample(trajectory.FPS).cut(max(0, round(start * scale) + samples[0]), stop)
+    return features.frames(window, samples=samples)
