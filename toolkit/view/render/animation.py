@@ -92,8 +92,8 @@ class _Follow:
         swings = gaussian_filter1d(walked - straight, 0.25 * clip.fps, axis=0, mode="wrap")
         self.path = straight + swings
         self.azimuth = np.arctan2(np.sin(facing).mean(), np.cos(facing).mean()) - np.radians(view)
-        frames = np.arange(len(clip))
-        self.reach, self.top = body.seen(frames, self.path, self.azimuth, TILT)
+        low, high = body.seen(np.arange(len(clip)), self.path, self.azimuth, TILT)
+        self.reach, self.top = max(-low[0], high[0]), high[1]
         # Lines across the way are so far apart that the next round begins on one.
         travel = (walked[-1] - walked[0]) * (len(walked) / max(len(walked) - 1, 1))
         length, heading, apart = float(np.linalg.norm(travel)), facing[0], GRID

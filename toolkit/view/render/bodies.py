@@ -88,15 +88,15 @@ class Body:
         return self.mannequin.colors(stands)
 
     def seen(self, frames: np.ndarray, path: np.ndarray, azimuth: np.ndarray | float,
-             tilt: float) -> tuple[float, float]:
-        """How far it reaches to either side and upwards, from points ``path`` [N, 3], metres."""
+             tilt: float) -> tuple[np.ndarray, np.ndarray]:
+        """Lowest and highest place [2] to the right and upwards, from points ``path`` [N, 3]."""
         positions, turn = self.clip.global_positions.double().numpy(), axes(azimuth, tilt)
         joints = (positions[frames] - path[:, None]) @ np.swapaxes(turn, -1, -2)
         # flesh is wider than joints
         flesh = Pose(self, frames[0]).mesh()[0]
         wider = [np.ptp(points, axis=0).max() for points in (flesh, positions[frames[0]])]
         margin = max(MARGIN, (wider[0] - wider[1]) / 2 + 0.05)
-        return np.abs(joints[..., 0]).max() + margin, joints[..., 1].max() + margin
+        return joints[..., :2].min((0, 1)) - margin, joints[..., :2].max((0, 1)) + margin
 
 
 @dataclass(frozen=True, eq=False)

@@ -71,10 +71,10 @@ def strip(
         rows.append((Body(clip, feet, own), at, walked[at], facing[at] - np.radians(VIEW)))
     # All rows have the columns of the widest body, and room for the label above the tallest.
     seen = [body.seen(*row, TILT) for body, *row in rows]
-    spacing = max(0.7, *(2 * reach + 0.04 for reach, _ in seen))
+    spacing = max(0.7, *(2 * max(-low[0], high[0]) + 0.04 for low, high in seen))
     room = max(0.2, 0.34 * spacing * frames / width)
-    images = [_drawn(*row, top + room, spacing, round(dpi * width))
-              for row, (_, top) in zip(rows, seen, strict=True)]
+    images = [_drawn(*row, high[1] + room, spacing, round(dpi * width))
+              for row, (_, high) in zip(rows, seen, strict=True)]
     heights = [image.shape[0] / dpi for image in images]
     total = sum(heights)
     figure = Picture(figsize=(width, total), dpi=dpi, facecolor=BACK)
