@@ -92,34 +92,30 @@ class Plan:
         duty = np.mean([style.leg(side).stance for side in self.stepping])
         airborne = 1 - duty + self.running * max(0.0, duty - RUN_STANCE)
         self.middle = math.pi * airborne  # clock at the middle of a left swing
-        unrest = smooth_noise(rng, len(root), 30, 1)[:, 0]
-        self.tempo = np.exp(0.2 * style.stagger * unrest)
-        self._schedule()
+        tempo = np.exp(0.2 * style.stagger * smooth_noise(rng, len(root), 30, 1)[:, 0])
 
-    def _schedule(self) -> None:
-        """The lift-off times: regular steps while the path moves, two more before standing.
-
-        The clock is 0 where the left foot lifts off and π where the right foot does.
-        """
+        # lift-off times: regular steps while the path moves, two more before standing; the clock is
+        # 0 where the left foot lifts off and π where the right foot does
         sides, n = self.stepping, len(self.stepping)
-        turn = int(self.rng.integers(n))
+        turn = int(rng.integers(n))
         t, clock, settled = 0.0, math.pi * turn, 0 if self.speed[0] > 0.05 else 2
         self.swings, knots = [], [(0.0, clock)]
-        while t < len(self.t):
-            look = min(int(t) + 12, len(self.t) - 1)
+        while t < len(root):
+            look = min(int(t) + 12, len(root) - 1)
             moving = self.pace[look] > 0.12 or abs(self.turning[look]) > 0.25
             if not moving and settled >= 2:
                 t += 1.0
                 continue
             settled = 0 if moving else settled + 1
+
             # duration of a stride (hop) for the pace, and of its part for this foot
             pace, run, side = max(self.pace[look], 0.5), self.running[look], sides[turn % n]
             walk, fast = min(pace, 1.7) ** 0.55, 1.5 * (pace / 2.2) ** 0.35
             quicker = pace**0.25 if n == 1 else walk + run * (fast - walk)
-            stride = FPS / (self.style.cadence * self.tempo[look] * quicker)
+            stride = FPS / (style.cadence * tempo[look] * quicker)
             beat = stride / n
             if n == 2:
-                beat *= 1 + self.style.asymmetry * (1 if side == "left" else -1)
+                beat *= 1 + style.asymmetry * (1 if side == "left" else -1)
             if knots[-1][0] < t - 1e-6:  # the clock stood
                 knots.append((t, clock))
             self.swings.append((side, t, stride, run))
@@ -127,7 +123,7 @@ class Plan:
             t += beat
             knots.append((t, clock))
             turn += 1
-        knots.append((t + len(self.t), clock))
+        knots.append((t + len(root), clock))
         self.clock = smooth(scipy.interpolate.PchipInterpolator(*np.array(knots).T)(self.t), 3)
 
     def foot(self, side: str) -> "Foot":
