@@ -52,21 +52,19 @@ class Clip:
         if not 0 < self.fps <= FASTEST:
             raise ValueError(f"{self.name}: frames per second must be more than 0 and at most "
                              f"{FASTEST}, got {self.fps:g}")
-        if not rotations.is_meta:  # the meta device keeps shapes and no numbers
-            self._check_numbers()
-
-    def _check_numbers(self) -> None:
-        squares = self.rotations.square() @ self.rotations.new_ones(4)
+        if rotations.is_meta:  # this device keeps shapes and no numbers
+            return
+        squares = rotations.square() @ rotations.new_ones(4)
         right = (squares - 1).abs() < 2 * UNIT  # false with NaN
         if not bool(right.all()):
             frame, joint = (~right).nonzero()[0].tolist()
-            q = self.rotations[frame, joint]
+            q = rotations[frame, joint]
             if not bool(q.isfinite().all()):
                 raise ValueError(f"{self.name}: rotations of frame {frame} are not finite")
             raise ValueError(f"{self.name}: rotations must be quaternions of length 1; in frame "
                              f"{frame} that of {self.skeleton.names[joint]} has length "
                              f"{float(q.norm()):.4g}")
-        right = self.root_positions.isfinite().all(1)
+        right = roots.isfinite().all(1)
         if not bool(right.all()):
             frame = int((~right).nonzero()[0])
             raise ValueError(f"{self.name}: root positions of frame {frame} are not finite")
