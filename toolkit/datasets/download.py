@@ -136,9 +136,25 @@ class RemoteFile(io.RawIOBase):
             self._body = io.BytesIO()
             return
         reply.raise_for_status()
-        self._compare(reply)
-        self._body = reply.raw
-        left = self._position if reply.status_code == 200 else 0  # all of it comes, not the rest
+        self.ranges = reply.status_code == 206
+        said = reply.headers.get("Content-Length", "")
+        if self.ranges:
+            part, _, said = reply.headers.get("Content-Range", "").rpartition("/")
+            if not part.startswith(f"bytes {self._position}-"):
+                raise ValueError(f"{self.url}: the server sends another part than bytes from "
+                                 f"{self._position} on: {part!r:.60}")
+
+        # another file than that of the answers before is refused
+        size = int(said) if said.isdecimal() and len(said) < 20 else None
+        tag = reply.headers.get("ETag")
+        for before, now in ((self.size, size), (self._tag, tag)):
+            if before is not None and now is not None and before != now:
+                raise ValueError(f"{self.url}: the server has another file than before: "
+                                 f"expected {before}, got {now}")
+        self.size, self._tag, self._body = size, tag, reply.raw
+
+        # without ranges all of it comes, not the rest
+        left = 0 if self.ranges else self._position
         while left and (piece := self._body.read(min(left, CHUNK))):
             left -= len(piece)
 
@@ -149,23 +165,6 @@ class RemoteFile(io.RawIOBase):
             if not (self.known or SECURE.match(address)):
                 raise ValueError(f"{self.url}: the server leads to {address}, which is not "
                                  "encrypted")
-
-    def _compare(self, reply: requests.Response) -> None:
-        """Refuse another file than that of the answers before."""
-        self.ranges = reply.status_code == 206
-        part, _, said = reply.headers.get("Content-Range", "").rpartition("/")
-        if self.ranges and not part.startswith(f"bytes {self._position}-"):
-            raise ValueError(f"{self.url}: the server sends another part than bytes from "
-                             f"{self._position} on: {part!r:.60}")
-        if not self.ranges:
-            said = reply.headers.get("Content-Length", "")
-        size = int(said) if said.isdecimal() and len(said) < 20 else None
-        tag = reply.headers.get("ETag")
-        for before, now in ((self.size, size), (self._tag, tag)):
-            if before is not None and now is not None and before != now:
-                raise ValueError(f"{self.url}: the server has another file than before: "
-                                 f"expected {before}, got {now}")
-        self.size, self._tag = size, tag
 
     def _hang_up(self) -> None:
         if self._body is not None:
