@@ -29,7 +29,7 @@ def loop(clip: Clip) -> tuple[int, int]:
     roots, positions = root_frames(searched), searched.global_positions
     places = roots.to_local(positions).flatten(1)
     moves = roots.turn_to_local(velocities(positions, clip.fps)).flatten(1)
-    heading = torch.from_numpy(steady_frames(searched, 0.5)[1])[:, None]
+    heading = torch.from_numpy(steady_frames(searched)[1])[:, None]
     rows = torch.cat((places, GLANCE * moves), 1) / len(clip.skeleton) ** 0.5
     rows = torch.cat((rows, HEADING * heading.to(rows)), 1)
     apart = torch.cdist(rows, rows)

@@ -86,7 +86,7 @@ class _Follow:
 
     def __init__(self, body: Body, view: float):
         self.body, clip = body, body.clip
-        walked, facing = steady_frames(clip, 0.5)
+        walked, facing = steady_frames(clip)
         # A smooth path whose ends fit together, as those of a loop do.
         straight = np.linspace(walked[0], walked[-1], len(walked))
         swings = gaussian_filter1d(walked - straight, 0.25 * clip.fps, axis=0, mode="wrap")

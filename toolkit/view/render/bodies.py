@@ -141,14 +141,14 @@ def cast(clips: Clip | Sequence[Clip], labels: Sequence[str] | None, contacts,
     return [figure.fitted(clip) for clip in clips] if figure else clips, list(labels), feet
 
 
-def steady_frames(clip: Clip, seconds: float) -> tuple[np.ndarray, np.ndarray]:
+def steady_frames(clip: Clip) -> tuple[np.ndarray, np.ndarray]:
     """Floor positions [F, 3] and facing angles [F], radians, smoothed for a camera to follow.
 
     Skeletons without hips and shoulders are followed by their root, facing +Z.
     """
     from scipy.ndimage import gaussian_filter1d  # a live character starts without it
 
-    sigma = max(seconds * clip.fps, 1e-3)
+    sigma = 0.5 * clip.fps
     if clip.skeleton.has("hip", "shoulder"):
         frames = root_frames(clip)
         q = frames.rotations.double().numpy()

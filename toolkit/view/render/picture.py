@@ -67,10 +67,10 @@ def strip(
     rows = []
     for clip, feet in zip(clips, contacts, strict=True):
         at = instants(clip, frames)
-        walked, facing = steady_frames(clip, 0.5)
+        walked, facing = steady_frames(clip)
         rows.append((Body(clip, feet, own), at, walked[at], facing[at] - np.radians(VIEW)))
     # All rows have the columns of the widest body, and room for the label above the tallest.
-    seen = [body.seen(at, path, azimuth, TILT) for body, at, path, azimuth in rows]
+    seen = [body.seen(at, walked, azimuth, TILT) for body, at, walked, azimuth in rows]
     spacing = max(0.7, *(2 * max(-low[0], high[0]) + 0.04 for low, high in seen))
     room = max(0.2, 0.34 * spacing * frames / width)
     images = [_drawn(*row, high[1] + room, spacing, round(dpi * width))
