@@ -115,9 +115,11 @@ def train(data: Features, seed: int = 0, steps: int = STEPS) -> Recogniser:
     """
     if len(data.styles) < 2:
         raise ValueError(f"a recogniser needs at least two styles, got {', '.join(data.styles)}")
-    draw = splits.generator(seed)
+    draw, normaliser = splits.generator(seed), data.normalisers()["clips"]
+    std = normaliser.std.unflatten(0, (-1, len(CHANNELS), 3))
+    std = std.maximum(LEAST * std.mean((0, 2), keepdim=True)).flatten()
     with splits.seeded("cpu", seed):
-        model = Recogniser(tuple(data.styles), _robust(data.normalisers()["clips"]))
+        model = Recogniser(tuple(data.styles), Normaliser(normaliser.mean, std))
     adam = torch.optim.Adam(model.parameters(), lr=RATE, weight_decay=1e-4, fused=True)
     schedule = torch.optim.lr_scheduler.CosineAnnealingLR(adam, steps)
     for _ in range(steps):
@@ -145,10 +147,3 @@ def train(data: Features, seed: int = 0, steps: int = STEPS) -> Recogniser:
 def _joints(clip: Clip) -> Tensor:
     clip = clip.resample(trajectory.FPS)
     return features.joint_features(clip, root_frames(clip))
-
-
-def _robust(normaliser: Normaliser) -> Normaliser:
-    """The normaliser with every deviation at least `LEAST` of the mean deviation of its channel."""
-    std = normaliser.std.unflatten(0, (-1, len(CHANNELS), 3))
-    least = LEAST * std.mean((0, 2), keepdim=True)
-    return Normaliser(normaliser.mean, std.maximum(least).flatten())
