@@ -172,17 +172,15 @@ class _Tree:
         branches = self.branches([j for j, node in enumerate(self.nodes) if node.parent < 0])
         if not branches:
             raise ValueError("there are no joints in it: no skin, no animated node, no bone")
-        at = -1
-        while at < 0 or not self.nodes[at].joint:
-            second = self.joints[branches[1]] if len(branches) > 1 else 0
-            if at >= 0 and second > FEW and not all(self.whole(j) for j in branches[:2]):
-                return at  # its branches are limbs of one skeleton
-            if second >= SEVERAL:
+        while True:
+            at, *others = branches
+            if others and self.joints[others[0]] >= SEVERAL:
                 doubts.append("the file holds several skeletons; "
-                              f"that of {self.nodes[branches[0]].name} was read")
-            at = branches[0]
+                              f"that of {self.nodes[at].name} was read")
             branches = self.branches(self.tree.children[at])
-        return at
+            limbs = len(branches) > 1 and self.joints[branches[1]] > FEW
+            if self.nodes[at].joint or (limbs and not all(map(self.whole, branches[:2]))):
+                return at
 
     def whole(self, j: int) -> bool:
         """Whether a branch looks like a whole skeleton: no joint at its top, many below."""

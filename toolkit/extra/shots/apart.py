@@ -109,9 +109,14 @@ def _sidestepped(wanted: np.ndarray, theirs: np.ndarray, to: np.ndarray,
     Ours: without it, those who meet in one place stand against each other for ever.
     """
     meets = there & ((to * wanted[:, None]).sum(-1) > 0) & ((to * theirs).sum(-1) < 0)
-    turn, (x, z) = np.where(meets.any(1), ASIDE, 0.0), wanted.T
-    return np.stack((np.cos(turn) * x - np.sin(turn) * z,
-                     np.sin(turn) * x + np.cos(turn) * z), -1)
+    turn = np.where(meets.any(1), ASIDE, 0.0)
+    return _turned(wanted, np.cos(turn), np.sin(turn))
+
+
+def _turned(vectors: np.ndarray, cos: np.ndarray, sin: np.ndarray) -> np.ndarray:
+    """Vectors ``[..., 2]``, turned from x towards z."""
+    x, z = vectors[..., 0], vectors[..., 1]
+    return np.stack((cos * x - sin * z, sin * x + cos * z), -1)
 
 
 def _half_planes(to: np.ndarray, relative: np.ndarray,
@@ -131,9 +136,7 @@ def _half_planes(to: np.ndarray, relative: np.ndarray,
     leg = np.sqrt(np.maximum(distance**2 - apart**2, 0.0))
     beside = ~close & ((off * to).sum(-1) > -apart * length)  # nearer to a side than to the circle
     side = np.where(to[..., 0] * off[..., 1] - to[..., 1] * off[..., 0] >= 0, 1.0, -1.0)
-    x, z = to[..., 0], to[..., 1]
-    along = np.stack((x * leg - side * z * apart, side * x * apart + z * leg), -1)
-    along /= (distance**2)[..., None]
-    out = np.stack((-side * along[..., 1], side * along[..., 0]), -1)
+    # the side is a line from zero that touches the circle; its normal is perpendicular to it
+    out = _turned(to, -apart / distance**2, side * leg / distance**2)
     normal = np.where(beside[..., None], out, normal)
     return normal, np.where(beside, -(relative * out).sum(-1), change)

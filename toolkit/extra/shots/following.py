@@ -134,17 +134,17 @@ class Course:
         self.late: list[int] = []  # the arrivals that the acceleration does not allow
         for k, (_, distance, time) in enumerate(arrivals):
             slow, fast = 0.0, FASTEST
-            if self._walk(distance, fast, time)[-1]:
+            if self._reaches(distance, fast, time):
                 for _ in range(30):
                     middle = (slow + fast) / 2
-                    if self._walk(distance, middle, time)[-1]:
+                    if self._reaches(distance, middle, time):
                         fast = middle
                     else:
                         slow = middle
             else:
                 self.late.append(k)
-            self._keep(*self._walk(distance, fast, LONGEST))
-        self._keep(*self._walk(curve.length, 1.0, LONGEST if duration is None else duration))
+            self._walk(distance, fast, LONGEST)
+        self._walk(curve.length, 1.0, LONGEST if duration is None else duration)
         arrived = self.distance[-1] >= curve.length - 1e-9
         self.end = (len(self.distance) - 1) / FPS if arrived else None
         if duration is None:
@@ -154,36 +154,37 @@ class Course:
         self.distance = [*self.distance, *[self.distance[-1]] * rest][:frames]
         self.speed = [*self.speed, *[0.0] * rest][:frames]
 
-    def _keep(self, distances: list[float], speeds: list[float], stop: int, until: float,
-              _reached: bool) -> None:
-        self.distance += distances
-        self.speed += speeds
+    def _reaches(self, goal: float, scale: float, latest: float) -> bool:
+        """What `_walk` says; the plan stays as it is."""
+        frames, stop, until = len(self.distance), self._stop, self._until
+        reached = self._walk(goal, scale, latest)
+        del self.distance[frames:], self.speed[frames:]
         self._stop, self._until = stop, until
+        return reached
 
-    def _walk(self, goal: float, scale: float,
-              latest: float) -> tuple[list[float], list[float], int, float, bool]:
-        """The plan from its last frame to a distance or a time; whether the distance is reached."""
-        at, speed, stop, until = self.distance[-1], self.speed[-1], self._stop, self._until
-        first, distances, speeds = len(self.distance), [], []
+    def _walk(self, goal: float, scale: float, latest: float) -> bool:
+        """Extend the plan to a distance, or to a time; whether the distance is reached."""
+        distances, speeds = self.distance, self.speed
+        at, speed = distances[-1], speeds[-1]
         while at < goal - 1e-9:
-            now = (first + len(distances)) / FPS
+            now = len(distances) / FPS
             if now > latest + 1e-9:
-                return distances, speeds, stop, until, False
-            limit, ends = self.stops[stop]
+                return False
+            limit, ends = self.stops[self._stop]
             speed = max(min(speed + ACCELERATION / FPS, scale * keyed(self.speeds, now)),
                         speed - 2 * ACCELERATION / FPS, 0.0)
             speed = min(speed, math.sqrt(2 * ACCELERATION * max(limit - at, 0.0)))
             for time, seconds in self.pauses:
                 if now < time + seconds:
                     speed = min(speed, ACCELERATION * max(time - now, 0.0))
-            if now < until:
+            if now < self._until:
                 speed = 0.0
             at = min(at + speed / FPS, limit)
-            if at >= limit - 1e-9 and now >= until and stop < len(self.stops) - 1:
-                until, stop = now + ends, stop + 1
+            if at >= limit - 1e-9 and now >= self._until and self._stop < len(self.stops) - 1:
+                self._until, self._stop = now + ends, self._stop + 1
             distances.append(at)
             speeds.append(speed)
-        return distances, speeds, stop, until, True
+        return True
 
 
 def wrapped(angle: float) -> float:
