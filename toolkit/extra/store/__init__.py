@@ -100,13 +100,13 @@ def preprocess(data: str, root: str | os.PathLike | None, out: str | os.PathLike
         futures = {pool.submit(partition.make, job): job for job in todo}
         try:
             for future in as_completed(futures):
-                if isinstance(error := future.exception(), ValueError):
+                try:
+                    future.result()
+                except ValueError as error:
                     broken.append(str(error))
-                elif isinstance(error, BrokenProcessPool):
+                except BrokenProcessPool as error:
                     raise OSError("a worker process died, perhaps out of memory; run the same "
                                   "command again with fewer workers") from error
-                elif error:
-                    raise error
                 bar.update(futures[future].size)
         finally:  # after an error or an interrupt, no further style begins
             pool.shutdown(cancel_futures=True)

@@ -15,7 +15,7 @@ from toolkit.datasets import Take
 from toolkit.features import Features, Layout, OwnFeatures, splits
 from toolkit.features.features import style_rows
 from toolkit.io.files import parsed, write_whole
-from toolkit.io.model_files import intact, plain
+from toolkit.io.model_files import plain
 from toolkit.motion import RootFrames
 
 
@@ -40,7 +40,7 @@ class Partition:
     def done(self) -> bool:
         """Whether its file is whole, and not older than the BVH files."""
         try:
-            _read(self.out)
+            read(self.out)
         except ValueError:
             return False
         return self.out.stat().st_mtime >= max(take.path.stat().st_mtime for _, take in self.takes)
@@ -101,24 +101,22 @@ def _make(job: Partition) -> None:
 
 
 def read(path: Path) -> tuple[OwnFeatures, list[tuple[int, int]], dict[str, Tensor]]:
-    """Features of a style's recordings, take and length of each, and all tensors of the file."""
-    tensors, about = _read(path)
-    with intact(path, "this part of the store"):
-        if sum(n for _, n in about["takes"]) != len(tensors["joints"]):
-            raise ValueError("its takes have other lengths")
-        roots = RootFrames(tensors["positions"], tensors["rotations"])
-        blocks = (tensors[name] for name in ("joints", "phases", "contacts"))
-        own = OwnFeatures(Layout.from_json(parsed(about["layout"])), roots, *blocks)
-        return own, about["takes"], tensors
+    """Features of a style's recordings, take and length of each, and all tensors of the file.
 
-
-def _read(path: Path) -> tuple[dict[str, Tensor], dict[str, Any]]:
-    """Memory-mapped tensors and description of a file; ValueError if it is missing or not whole."""
+    The tensors are memory-mapped. ValueError if the file is missing or not whole.
+    """
     try:
         with safe_open(path, framework="pt") as file:
             tensors = {name: file.get_tensor(name) for name in file.keys()}  # noqa: SIM118
-            return tensors, parsed(file.metadata()["about"])
-    except (OSError, SafetensorError, KeyError, TypeError, ValueError) as error:
+            about = parsed(file.metadata()["about"])
+            if sum(n for _, n in about["takes"]) != len(tensors["joints"]):
+                raise ValueError("its takes have other lengths")
+            roots = RootFrames(tensors["positions"], tensors["rotations"])
+            blocks = (tensors[name] for name in ("joints", "phases", "contacts"))
+            own = OwnFeatures(Layout.from_json(parsed(about["layout"])), roots, *blocks)
+            return own, about["takes"], tensors
+    except (OSError, SafetensorError, ArithmeticError, AttributeError, LookupError, RuntimeError,
+            TypeError, ValueError) as error:
         raise ValueError(f"{path}: missing or damaged ({plain(error)}); run the command that makes "
                          "the store again") from error
 
