@@ -13,6 +13,7 @@ from toolkit.extra.characters.anatomy import measure, with_toes
 from toolkit.extra.characters.fbx_figure import smooth
 from toolkit.extra.characters.gltf_mesh import SkinnedMesh
 from toolkit.extra.characters.retargeting import leaders, retarget
+from toolkit.extra.formats.nodes import END
 from toolkit.motion import Clip, Skeleton, rotations as R
 from toolkit.motion.contacts import standing_height
 from toolkit.motion.roles import SIDES
@@ -125,8 +126,8 @@ def _clip(mesh: SkinnedMesh, pose: np.ndarray, name: str) -> Clip:
     offsets = torch.zeros(len(pose), 3, dtype=torch.float64)
     above = list(mesh.parents[1:])
     offsets[1:] = R.rotate(R.inverse(turned[above]), places[1:] - places[above])
-    leaves = [n for j, n in enumerate(mesh.names) if j and j not in mesh.parents
-              and n.lower().endswith(("end", "nub"))]
-    skeleton = Skeleton(mesh.names, mesh.parents, offsets.float(), ends=leaves)
+    ends = [name for j, name in enumerate(mesh.names)
+            if j and j not in mesh.parents and END.search(name)]
+    skeleton = Skeleton(mesh.names, mesh.parents, offsets.float(), ends=ends)
     return Clip(skeleton, R.normalize(local_rotations(skeleton, turned[None]).float()),
                 places[:1].float(), 60.0, name=name)

@@ -19,7 +19,7 @@ from toolkit.motion.text import printable
 
 COMPONENTS = {5120: "i1", 5121: "u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
-NUMBERS = {"f4": 5126, "u4": 5125, "u2": 5123}  # of arrays that are written
+NUMBERS = {kind: number for number, kind in COMPONENTS.items()}
 KINDS = {(): "SCALAR", (2,): "VEC2", (3,): "VEC3", (4,): "VEC4", (4, 4): "MAT4"}  # shapes of a row
 PACKED = ("EXT_meshopt_compression", "KHR_meshopt_compression")
 
@@ -225,19 +225,24 @@ def unit_quaternions(turns: np.ndarray) -> np.ndarray:
     return turns / length
 
 
+def _padded(data: bytes, by: bytes = b"\0") -> bytes:
+    """The bytes up to a multiple of four."""
+    return data + by * (-len(data) % 4)
+
+
 class Buffer:
     """The binary part and its description: one view and one accessor per array."""
 
     def __init__(self, data: bytes = b"", views: Sequence[dict] = (),
                  accessors: Sequence[dict] = ()):
-        self.data = bytearray(data + b"\0" * (-len(data) % 4))
+        self.data = bytearray(_padded(data))
         self.views, self.accessors = list(views), list(accessors)
 
     def view(self, data: bytes, more: dict | None = None) -> int:
         """Index of the view of some bytes."""
         self.views.append({"buffer": 0, "byteOffset": len(self.data), "byteLength": len(data)}
                           | (more or {}))
-        self.data += data + b"\0" * (-len(data) % 4)
+        self.data += _padded(data)
         return len(self.views) - 1
 
     def add(self, values: np.ndarray, target: int | None = None, *, bounds: bool = False) -> int:
@@ -245,7 +250,7 @@ class Buffer:
         values = np.ascontiguousarray(values)
         view = self.view(values.tobytes(), {} if target is None else {"target": target})
         made = {"bufferView": view, "count": len(values),
-                "componentType": NUMBERS[values.dtype.str[1:]], "type": KINDS[values.shape[1:]]}
+                "componentType": NUMBERS[values.dtype.str], "type": KINDS[values.shape[1:]]}
         if bounds:
             flat = values.reshape(len(values), -1)
             made |= {"min": flat.min(0).tolist(), "max": flat.max(0).tolist()}
@@ -259,8 +264,7 @@ def container(document: dict, buffer: Buffer) -> bytes:
     buffers = document.get("buffers", [{}])
     document["buffers"] = [buffers[0] | {"byteLength": len(buffer.data)}]
     text = json.dumps(document, separators=(",", ":"), ensure_ascii=False, allow_nan=False)
-    text = text.encode(errors="replace")
-    text += b" " * (-len(text) % 4)
+    text = _padded(text.encode(errors="replace"), b" ")
     chunks = b""
     for kind, chunk in ((b"JSON", text), (b"BIN\0", bytes(buffer.data))):
         chunks += struct.pack("<I4s", len(chunk), kind) + chunk

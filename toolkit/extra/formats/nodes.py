@@ -31,7 +31,7 @@ SEVERAL = 10  # joints of a branch that may be a skeleton of its own
 LIMIT = 50_000  # nodes of a glTF file
 
 _HELPER = re.compile(r"(?:^|[\W_])ik(?:[\W_]|$)|IK", re.ASCII)
-_END = re.compile(r"(?:end|nub)\d*$", re.IGNORECASE)
+END = re.compile(r"(?:end|nub)\d*$", re.IGNORECASE)
 
 
 @dataclass(eq=False)
@@ -126,7 +126,7 @@ def record(nodes: Sequence[Node], frames: int, fps: float, *, format_: str, unit
     parents = (-1, *(place[nodes[j].parent] for j in kept[1:]))
 
     ends = [names[i] for i, j in enumerate(kept) if i and i not in parents
-            and _END.search(names[i]) and len(nodes[j].rotation) == 1]
+            and END.search(names[i]) and len(nodes[j].rotation) == 1]
     if roles is not None:
         roles = {role: names[place[j]] for role, j in roles.items() if j in place}
     return Recording(

@@ -126,11 +126,11 @@ def _poses(arrays: Mapping[str, np.ndarray]) -> Tensor | None:
 
 def _vectors(arrays: Mapping[str, np.ndarray], name: str, widths: Sequence[int]) -> Tensor:
     values = _tensor(arrays, name)
-    flat = values.flatten(1) if values.dim() > 1 else values[None]
-    if values.dim() < 2 or flat.shape[1] not in widths or not len(flat):
+    width = values[0].numel() if values.dim() > 1 and len(values) else 0
+    if width not in widths:
         raise ValueError(f"{name} should be rotation vectors [F, {' or '.join(map(str, widths))}], "
                          f"got {list(values.shape)}")
-    return flat.unflatten(1, (-1, 3))
+    return values.reshape(len(values), -1, 3)
 
 
 def _smpl(arrays: Mapping[str, np.ndarray], poses: Tensor) -> Recording:

@@ -29,7 +29,6 @@ from toolkit.extra.shots.keys import (
 )
 from toolkit.extra.shots.walking import Asked, first, rolled
 from toolkit.io import files
-from toolkit.io.files import atomic_write
 from toolkit.motion import Clip
 from toolkit.motion.tensors import shown
 from toolkit.networks.bank import StyleBank
@@ -241,9 +240,8 @@ def _columns(keys: Sequence[SpeedKey]) -> tuple[list[float], list[float], list[s
 
 def save(shots: Iterable[Shot], path: str | os.PathLike) -> None:
     """Write shots, one per character, or a `Scene`, to a JSON file."""
-    with atomic_write(path) as file:
-        file.write((json.dumps(data(shots), indent=1, ensure_ascii=False, allow_nan=False)
-                    + "\n").encode())
+    text = json.dumps(data(shots), indent=1, ensure_ascii=False, allow_nan=False)
+    files.write_whole(path, (text + "\n").encode())
 
 
 def data(shots: Iterable[Shot]) -> dict:
@@ -268,14 +266,13 @@ def load(path: str | os.PathLike) -> list[Shot]:
 
 def read(path: str | os.PathLike, parse: Callable):
     """What ``parse`` makes of a JSON file; its ValueError with the path."""
-    try:
-        scene = files.parsed(files.read(path))
-    except ValueError as error:
-        raise ValueError(f"{path}: not a JSON file of shots ({error})") from None
-    try:
+    data = files.read(path)
+    with files.named(path):
+        try:
+            scene = files.parsed(data)
+        except ValueError as error:
+            raise ValueError(f"not a JSON file of shots ({error})") from None
         return parse(scene)
-    except ValueError as error:
-        raise ValueError(f"{path}: {error}") from None
 
 
 def parse(scene) -> list[Shot]:
