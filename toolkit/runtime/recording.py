@@ -93,10 +93,12 @@ def record(
     recorded = list(recorded)
     if not recorded:
         raise ValueError("no frames to record: a rollout needs at least one command")
-    # Without the style: it is large and not needed here.
+    drawn = pose(model, joined(recorded, character), feet=feet, arms=arms)
+    return Clip(model.layout.skeleton, *drawn, FPS, name="rollout")
+
+
+def joined(recorded: Sequence[CharacterState], character: int = 0) -> CharacterState:
+    """The states of one character along the leading axis; without the style, which is large."""
     names = [f.name for f in dataclasses.fields(CharacterState) if f.name != "style"]
-    merged = {name: torch.stack([getattr(s, name)[character] for s in recorded]) for name in names}
-    merged = CharacterState(**merged, style=merged["history"].new_empty(len(recorded), 0))
-    return Clip(
-        model.layout.skeleton, *pose(model, merged, feet=feet, arms=arms), FPS, name="rollout"
-    )
+    parts = {name: torch.stack([getattr(s, name)[character] for s in recorded]) for name in names}
+    return CharacterState(**parts, style=parts["history"].new_empty(len(recorded), 0))

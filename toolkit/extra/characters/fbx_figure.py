@@ -89,8 +89,8 @@ class _Figure(Scene):
                                for what in (b"Translation", b"Rotation", b"Scaling"))
         points = (scale * points) @ R.to_matrix(turn(angles[None]))[0].numpy().T + move
 
-        across = self._at_corners(parts, b"UV", b"UVIndex", polygon, corners)
-        material = self._at_corners(parts, b"Material", b"", polygon, corners)
+        across = self._at_corners(parts, b"UV", b"UV", 2, polygon, corners)
+        material = self._at_corners(parts, b"Material", b"Materials", 1, polygon, corners)
         material = np.zeros(len(corners)) if material is None else material[:, 0]
         materials, primitives = self.linked(model, b"Material"), []
         skin, joints, weights = self._skin(geometry, len(points))
@@ -144,18 +144,18 @@ class _Figure(Scene):
             "joints": bones, "inverseBindMatrices": self._add(np.stack(inverse))})} if bones else {}
         return skin, joints, weights
 
-    def _at_corners(self, parts: dict[bytes, Record], name: bytes, index: bytes,
+    def _at_corners(self, parts: dict[bytes, Record], kind: bytes, name: bytes, width: int,
                     polygon: np.ndarray, corners: np.ndarray) -> np.ndarray | None:
-        """Values ``[corners, C]`` of a layer at each corner; None where they do not fit."""
-        if b"LayerElement" + name not in parts:
+        """Values ``[corners, width]`` of a layer at each corner; None where they do not fit."""
+        if b"LayerElement" + kind not in parts:
             return None
-        own = self._inside(parts[b"LayerElement" + name])
-        values, width = self._numbers(own, name if index else b"Materials"), 2 if index else 1
+        own = self._inside(parts[b"LayerElement" + kind])
+        values = self._numbers(own, name)
         values = values[: len(values) // width * width].reshape(-1, width)
         rows = {b"ByPolygonVertex": np.arange(len(corners)), b"ByPolygon": polygon,
                 b"ByVertice": corners, b"AllSame": 0 * corners}.get(
             self._first(own, b"MappingInformationType"))
-        if rows is not None and len(among := self._numbers(own, index)):
+        if rows is not None and len(among := self._numbers(own, kind + b"Index")):
             rows = among.astype(np.int64)[rows.clip(0, len(among) - 1)]
         if rows is None or not ((rows >= 0) & (rows < len(values))).all():
             return None

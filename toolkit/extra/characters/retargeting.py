@@ -8,6 +8,7 @@ clothes and props.
 """
 
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import pairwise
 
 import numpy as np
@@ -27,7 +28,7 @@ SAME = 0.002  # metres that bones of equal names may differ on the same skeleton
 # height of a standing joint, shares of the leg: usual, and the largest believed
 TOE, ANKLE = (0.02, 0.12), (0.1, 0.2)
 SOFT = 0.01  # share of a leg's length, near full stretch, over which it follows more slowly
-BONES = (("hip", "knee"), ("knee", "foot"), ("shoulder", "elbow"), ("elbow", "hand"))
+BONES = [bone for parts in CHAINS.values() for bone in pairwise(parts)]  # of arms and legs
 RIGID = 0.003  # metres that a joint below a twist bone may move, if the bone is left out
 TWIST = ("twist", "roll")  # parts of names of joints that only share a limb's rotation
 
@@ -212,7 +213,7 @@ def _plant(clip: Clip, made: Clip, turned: dict[int, Tensor], scale: float,
         hip, knee, ankle = (skeleton.role(f"{side}_{part}") for part in ("hip", "knee", "foot"))
         a, b, c = (made.global_positions[:, j] for j in (hip, knee, ankle))
         standing = (contact[:, foot] > 0.5).cpu().numpy()
-        shift = through_numpy(lambda gap, standing=standing: _corrections(gap, standing),
+        shift = through_numpy(partial(_corrections, standing=standing),
                               wanted[:, foot] - toes[:, foot])
         shift[:, 1] = torch.maximum(shift[:, 1], floor - toes[:, foot, 1])
         full = ((b - a).norm(dim=-1) + (c - b).norm(dim=-1))[:, None]
@@ -269,7 +270,7 @@ def pruned(clip: Clip) -> Clip:
     # Joints without a role between two parts of a limb, or called a twist bone
     split = {j for j in kept if any(word in old.names[j].lower() for word in TWIST)}
     for side in SIDES:
-        for upper, lower in (pair for parts in CHAINS.values() for pair in pairwise(parts)):
+        for upper, lower in BONES:
             start = old.role(f"{side}_{upper}")
             path = old.ancestors(old.role(f"{side}_{lower}"))
             split |= {j for j in path if start in old.ancestors(j)}

@@ -28,7 +28,7 @@ from toolkit.io.save import figure_of
 from toolkit.motion import Clip
 from toolkit.view.frontend import CellWidget, static
 from toolkit.view.pages import live_page, page
-from toolkit.view.render.skin import Figure
+from toolkit.view.render.skin import Character, Figure
 
 START = (0, 0), (0.6, 2), (-0.6, 4), (0, 6)  # the path of the first shot
 
@@ -63,8 +63,7 @@ class Director(CellWidget, anywidget.AnyWidget):
     height = traitlets.Int(760, min=300).tag(sync=True)
 
     def __init__(self, model, bank, shots: Iterable[Shot] | Scene | None = None, *,
-                 height: int = 760,
-                 character: str | os.PathLike | Figure | None = None):
+                 height: int = 760, character: Character = None):
         self._model, self._bank = model, bank
         super().__init__(data=pack(model, bank, character=figure_of(character)),
                          scene=first(bank, shots), height=height)
@@ -81,7 +80,7 @@ class Director(CellWidget, anywidget.AnyWidget):
     def render(self, character: int = 0) -> Clip:
         """The motion of a character, by `toolkit.extra.shots.Scene.render`."""
         made = Scene.parse(self.scene)
-        if made.apart is None:
+        if made.apart is None:  # the others need not be rendered
             return made.shots[character].render(self._model, self._bank)
         return made.render(self._model, self._bank)[character]
 
@@ -101,9 +100,8 @@ class Director(CellWidget, anywidget.AnyWidget):
 
 
 def web(model, bank, path: str | os.PathLike, shots: Iterable[Shot] | Scene | None = None, *,
-        title: str = "Plan a shot",
-        styles: Sequence[str] | None = None, half: bool = False,
-        character: str | os.PathLike | Figure | None = None) -> Path:
+        title: str = "Plan a shot", styles: Sequence[str] | None = None, half: bool = False,
+        character: Character = None) -> Path:
     """Write a page with the `Director`, without server or Python; shots are saved to and opened
     from files.
 

@@ -18,10 +18,11 @@ from toolkit.extra.shots import apart as avoidance, following
 from toolkit.extra.shots.following import FPS, LEAD, LONGEST, Course, Heading, Pair, nearest
 from toolkit.extra.shots.keys import StyleKey, entries, number, pair
 from toolkit.extra.shots.shot import Shot, parse, read, save
-from toolkit.extra.shots.walking import first, joined
+from toolkit.extra.shots.walking import first
 from toolkit.motion import Clip
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime import CharacterState, Command, start, step, world_joints
+from toolkit.runtime.recording import joined
 
 WAIT = 0.4  # metres behind its plan at which the plan of a character who keeps apart waits
 FASTER, SLOWEST = 1.3, 0.3  # times the planned speed, and m/s: such a character's largest speed
@@ -161,21 +162,24 @@ class Scene:
             if (room := math.dist(goals[j], goals[k])) < radii[j] + radii[k]:
                 lines.append(f"{self._called(j)} and {self._called(k)} end {room:.2f} m apart and "
                              f"keep {radii[j] + radii[k]:.2f} m: they do not both arrive")
+        return lines + self._gaps(bank)
 
-        # gaps between walls
+    def _gaps(self, bank: StyleBank) -> list[str]:
+        """Gaps between walls that are too narrow, or to which too many come at once."""
+        lines, radii = [], self.radii
         courses, widest = [shot.plan(bank)[0] for shot in self.shots], sum(sorted(radii)[-2:])
         for (a, one), (b, other) in itertools.combinations(enumerate(self.walls), 2):
             ends = min(itertools.product((one.start, one.end), (other.start, other.end)),
                        key=lambda pair: math.dist(*pair))
             room = math.dist(*ends)
             between = f"between walls[{a}] and walls[{b}] are {room:.2f} m"
-            if 0.01 < room < 2 * MARGIN:
-                lines.append(f"{between}: too narrow, characters keep {MARGIN:g} m from a wall")
-            elif 2 * MARGIN <= room < 2 * MARGIN + widest and len(self.shots) > 1:
+            if room < 2 * MARGIN:
+                if room > 0.01:  # walls that do not meet
+                    lines.append(f"{between}: too narrow, characters keep {MARGIN:g} m from a wall")
+                continue
+            if room < 2 * MARGIN + widest and len(self.shots) > 1:
                 lines.append(f"{between}: too narrow for two of the widest at once, who need "
                              f"{2 * MARGIN + widest:.2f} m")
-            if room < 2 * MARGIN:
-                continue
             wait = self._queue(courses, ends, 1 + int((room - 2 * MARGIN) / widest))
             if wait > QUEUE:
                 lines.append(f"{between}: those who come at once would wait for up to {wait:.0f} "

@@ -177,7 +177,7 @@ class Shot:
         return self.drawn(model, self._walked(model, bank, plan), plan[0])
 
     def drawn(self, model, states: CharacterState, course: Course) -> Clip:
-        """The motion of states (`walking.joined`), with the pins of the shot met."""
+        """The motion of the `joined` states, with the pins of the shot met."""
         skeleton = model.layout.skeleton
         with torch.no_grad():
             drawn = pose(model, states, feet=self.feet, arms=self.arms)

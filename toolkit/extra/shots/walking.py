@@ -9,9 +9,9 @@ from torch import Tensor
 
 from toolkit.extra.shots.following import Course, Heading, Pair
 from toolkit.runtime import CharacterState, Command, start, step
+from toolkit.runtime.recording import joined
 
 GOLDEN = (math.sqrt(5) - 1) / 2  # the share of a cycle by which the next seed starts later
-FIELDS = tuple(f.name for f in dataclasses.fields(CharacterState) if f.name != "style")
 Asked = tuple[Pair, Pair, Tensor]  # velocity, facing and style of a frame
 
 
@@ -40,7 +40,7 @@ def first(model, shots: Sequence, styles,
 
 def rolled(model, state: CharacterState, frames: int,
            ask: Callable[[int, Pair], Asked]) -> CharacterState:
-    """The states of so many frames, as `joined`."""
+    """The states of so many frames, as `toolkit.runtime.recording.joined`."""
     if hasattr(type(model), "roll"):  # compiled: the loop over frames, too
         return model.roll(state, frames, ask)
     states = []
@@ -50,9 +50,3 @@ def rolled(model, state: CharacterState, frames: int,
             state = step(model, state.with_style(style), Command(velocity, facing))
         states.append(state)
     return joined(states)
-
-
-def joined(states: Sequence[CharacterState], character: int = 0) -> CharacterState:
-    """The states of a character over all frames, along the leading axis and without their style."""
-    parts = {name: torch.stack([getattr(s, name)[character] for s in states]) for name in FIELDS}
-    return CharacterState(**parts, style=states[0].style.new_empty(len(states), 0))
