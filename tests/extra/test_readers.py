@@ -411,6 +411,8 @@ def test_a_flag_says_how_long_the_second_of_an_fbx_file_is(tmp_path, flag, secon
 def test_fbx_files_that_cannot_be_read(tmp_path):
     whole = fbx_scene({"a": ("", {}), "b": ("a", {})}, {})
     assert "no joint is animated" in fbx_reader.read(written(tmp_path / "a.fbx", whole)).doubts[0]
+    odd = fbx_scene({"a": ("", {}), "b": ("a", {})}, {}, settings={"UpAxis": [2.0]})
+    assert fbx_reader.read(written(tmp_path / "d.fbx", odd)).up == "z"  # a number with a fraction
     for data, problem in (
             (b"; FBX 7.3.0\nFBXHeaderExtension:  {", "a text FBX; save it as binary FBX 2011"),
             (b"BVH", "it is no FBX file"), (fbx([]), "no joints"),

@@ -196,7 +196,7 @@ class Scene(Records):
     def up(self) -> str | None:
         """The axis that points up; None if it is none of x, y and z."""
         up, sign = self._setting(b"UpAxis", 1), self._setting(b"UpAxisSign", 1)
-        return "xyz"[up] if up in (0, 1, 2) and sign == 1 else None
+        return "xyz"[int(up)] if up in (0, 1, 2) and sign == 1 else None
 
     def _layer(self, animation: str | int | None,
                doubts: list[str]) -> dict[int, dict[bytes, int]]:
