@@ -235,7 +235,6 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
     short : ``"raise"``: a clip that holds no whole window is an error; ``"skip"``: it is left out,
         and with a warning a style that has no other
     samples : those of the `Layout` of the model that uses the features
-    progress : show a bar
 
     Raises
     ------

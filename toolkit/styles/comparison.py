@@ -205,7 +205,7 @@ def difference(rows: Mapping[str, Mapping[str, float]], what: str) -> float:
     clip, style = rows["clip"][what], rows["style"][what]
     match what:
         case "posture":
-            floors = [row[what] for name, row in rows.items() if name not in ("clip", "style")]
+            _, _, *floors = [row[what] for row in rows.values()]
             return style / min(max(POSTURE * min(floors, default=math.inf), CLOSE), FAR)
         case "range":
             return abs(math.log(style / clip)) / math.log(RANGE)
@@ -224,9 +224,9 @@ def against(rows: Mapping[str, Mapping[str, float]], what: str) -> str:
     """What a value of the style is compared with, in words."""
     if what != "posture":
         return f"the clip's {rows['clip'][what]:.1f}"
-    near = min((name for name in rows if name not in ("clip", "style")),
-               key=lambda name: rows[name][what])
-    return f"{near}'s {rows[near][what]:.1f}, at most {FAR:g}"
+    _, _, *floors = rows
+    near = min(floors, key=lambda name: rows[name][what], default="")
+    return f"{near}'s {rows[near][what]:.1f}, at most {FAR:g}" if near else f"at most {FAR:g}"
 
 
 def not_a_walk(clip: Clip) -> str:

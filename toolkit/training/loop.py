@@ -78,8 +78,6 @@ def fit(data: Features, config: Config | None = None,
     checkpoint, resume
         File for the state of the run, written at intervals and on an interrupt; whether to resume
         from it if it exists.
-    progress
-        Show a bar.
 
     Raises
     ------

@@ -64,8 +64,6 @@ def web(model, bank, path: str | os.PathLike, *, title: str = "A character under
     model, bank
         A model and its style bank. Only LPN-FiLM runs in a page. Of another model, the page plays
         recorded walks of the first nine styles, and says so.
-    path, title
-        The file to write, and the heading of the page.
     styles
         The styles to include, first the triangle's corners; by default all of the bank.
     half

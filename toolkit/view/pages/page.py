@@ -37,8 +37,6 @@ def html(
     ----------
     clips, labels, contacts, character
         As in `toolkit.view.play`; up to nine clips.
-    path
-        The file to write.
     title, caption
         Heading of the page and a line below it.
     styles

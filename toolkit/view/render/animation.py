@@ -48,8 +48,6 @@ def animate(
         Height of a cell in pixels; its width follows from how far the arms reach.
     view
         Degrees of the camera from the facing direction; 90 is from the right side.
-    progress
-        Whether to show a bar.
 
     Raises
     ------
