@@ -334,6 +334,8 @@ def test_a_style_walks_as_its_clip_and_another_one_does_not(zombie, fast, monkey
         near = {"clip": 0.0, "style": 4.0, "a": floor, "b": 30.0}
         near = {name: {"posture": apart} for name, apart in near.items()}
         assert comparison.difference(near, "posture") == pytest.approx(4 / limit)
+    alone = {"clip": {"posture": 0.0}, "style": {"posture": 9.0}}  # a bank of this style only
+    assert comparison.against(alone, "posture") == "at most 7"
     # two steps each, whatever the rhythm
     lengths = {name: 2 / own.rows[name]["steps"] for name in own.rows}
     for name, cycle in own.cycles().items():
