@@ -127,14 +127,3 @@ def test_real_walks_stand_for_as_long_as_people_do(shared):
         )
         assert 0.3 <= new <= 0.5, name
         assert old < new
-
-
-def test_stances_of_a_run_at_30_hz_are_found():
-    """Of the generator's own, which a limit of the speed of toes alone misses."""
-    fast, known = procedural.truth("Neutral", "FR", 6.0, seed=5)
-    clip = fast.resample(30)
-    true = known.contacts[::2][: len(clip)].bool()
-    slow, found = contacts.detect(clip).bool(), contacts.stances(clip).bool()
-    share = [float((mask & true).sum() / true.sum()) for mask in (slow, found)]
-    assert share[1] > max(0.8, share[0])
-    assert float((found & true).sum() / found.sum()) > 0.7

@@ -21,7 +21,7 @@ from toolkit.__main__ import main
 from toolkit.io import model_files
 from toolkit.motion import Skeleton
 from toolkit.stylization import data, layers, losses, networks, training
-from toolkit.stylization.restyling import calm, jerk, lock_feet
+from toolkit.stylization.restyling import calm, jerk, lock_feet, stances
 
 SMALL = networks.Sizes(channels=4, code=8, latent=4, hidden=16)
 #: 21 joints as in the paper and in Bandai's files: a spine of five, arms and legs of four.
@@ -478,6 +478,17 @@ def test_held_feet_stand_where_the_source_stands(walks):
     jolt = [clip.global_positions[:, toe].diff(n=2, dim=0).norm(dim=-1).max()
             for clip in (held, sliding)]
     assert jolt[0] < 1.5 * jolt[1]
+
+
+def test_stances_of_a_run_at_30_hz_are_found():
+    """Of the generator's own, which a limit of the speed of toes alone misses."""
+    fast, known = tk.datasets.procedural.truth("Neutral", "FR", 6.0, seed=5)
+    clip = fast.resample(30)
+    true = known.contacts[::2][: len(clip)].bool()
+    slow, found = tk.contacts.detect(clip).bool(), stances(clip).bool()
+    share = [float((mask & true).sum() / true.sum()) for mask in (slow, found)]
+    assert share[1] > max(0.8, share[0])
+    assert float((found & true).sum() / found.sum()) > 0.7
 
 
 def test_the_change_of_a_motion_is_smoothed_to_the_jerk_of_the_source(motions):

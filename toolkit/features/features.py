@@ -99,7 +99,7 @@ def own_features(clip: Clip, ph: phases.Phases, samples: tuple[int, ...] = traje
     layout = Layout(clip.skeleton, samples=samples, phase_limbs=ph.limbs)
     roots = root_frames(clip)
     return OwnFeatures(layout, roots, joint_features(clip, roots), ph.vector.flatten(1),
-                       contacts.stances(clip))
+                       contacts.detect(clip))
 
 
 def joint_features(clip: Clip, roots: RootFrames) -> Tensor:

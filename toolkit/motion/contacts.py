@@ -13,7 +13,6 @@ BALL = 0.01  # metres (ours): thickness of the floor
 HEIGHT = 0.01  # d_max of the paper, metres
 REACH = 0.06  # metres above the floor in which a slow toe may stand; a lifted foot is higher
 MAJORITY = 5 / 60  # seconds, half the width of the majority vote
-PACE = 0.25  # of the root's speed, ours: the speed of a toe that stands
 DRIFT = 0.02  # metres over a clip: a floor that rises or falls by less is level
 
 
@@ -48,15 +47,6 @@ def detect(clip: Clip, *, height: float | None = None, speed: float | Tensor = 0
     votes = (low & slow).to(toes.dtype).T[:, None]
     votes = functional.pad(votes, (half, half), mode="replicate")
     return functional.avg_pool1d(votes, 2 * half + 1, stride=1)[:, 0].T.round()
-
-
-def stances(clip: Clip) -> Tensor:
-    """Contacts ``[F, 2]`` as `detect`; the faster the root, the faster a toe that stands (`PACE`).
-
-    Recorded at 30 Hz, a runner's toe never is as slow as the toe of one who walks.
-    """
-    pace = velocities(clip.root_positions[:, [0, 2]], clip.fps).norm(dim=-1, keepdim=True)
-    return torch.maximum(detect(clip), detect(clip, speed=PACE * pace))
 
 
 def floor_height(clip: Clip) -> Tensor:
