@@ -15,6 +15,7 @@ from toolkit import view
 from toolkit.extra.shots import crowd
 from toolkit.view.pages import live_page, page
 
+pytestmark = pytest.mark.usefixtures("one_walk")
 SCENE = Path(page.__file__).parents[1] / "scene"
 
 
@@ -190,7 +191,7 @@ def test_a_crowd_starts_as_pythons_and_walks_its_rings(node, trained, tmp_path):
         kernel.on("msg:custom", ({ kind }, [poses]) => {
             if (kind === "others") result.drawn = poses.length;
         });
-        for (let i = 0; i < 300; i++) kernel.step();
+        for (let i = 0; i < 150; i++) kernel.step();
         kernel.show();
         result.roots = kernel.others.map(({ character }) => [...character.root]);
         result.user = [...kernel.character.root];

@@ -10,6 +10,8 @@ from toolkit.extra.shots.director import Director
 from toolkit.view.widgets.controller import Controller
 from toolkit.view.widgets.player import Player
 
+pytestmark = pytest.mark.usefixtures("one_walk")
+
 
 @pytest.fixture
 def cell(monkeypatch):
