@@ -422,7 +422,7 @@ def test_only_several_processes_need_lightning_fabric(monkeypatch):
 
 
 def test_it_stops_early_with_the_best_weights_also_after_a_resume(tmp_path):
-    config = quick(steps=400, sizes=WIDER, rate=3e-2, final_rate=1.0, evaluate_every=5, patience=3)
+    config = quick(steps=400, rate=6e-2, final_rate=1.0, evaluate_every=5, patience=3)
     whole = training.fit(waves(), config)
     errors = [row["held_out"] for row in whole.history]
     assert len(errors) < 80
