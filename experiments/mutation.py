@@ -158,7 +158,7 @@ def tests_pass(copy: Path, group: str, limit: float) -> bool:
             sys.path[:0] = paths
             for name in [name for name in sys.modules if name.split(".")[0] in OURS]:
                 del sys.modules[name]
-            options = ["-x", "-q", "-p", "no:cacheprovider",
+            options = ["-x", "-q", "-p", "no:cacheprovider", "-p", "no:nbval",
                        "-W", "ignore::pytest.PytestAssertRewriteWarning"]
             status = pytest.main([*options, *files], [Quickest(copy.parent / f"{group}.json")])
         finally:

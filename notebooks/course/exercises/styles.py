@@ -15,12 +15,18 @@ CORNERS = "Neutral", "Zombie", "Aeroplane"  # of exercise 04.1
 
 
 @cache
+def _embedded() -> tuple:
+    """The embedded model, compiled if that pays, and its styles."""
+    model, bank = tk.pretrained()
+    return tk.runtime.quick(model, 180), bank
+
+
+@cache
 def _hands(*weights: float) -> tuple[float, float]:
     """How far the hands of a blend of `CORNERS` are ahead, and apart; metres."""
-    model, bank = tk.pretrained()
+    model, bank = _embedded()
     style = sum(weight * bank[name] for weight, name in zip(weights, CORNERS, strict=True))
-    commands = tk.runtime.straight(1.0, 3.0)
-    walk = tk.runtime.rollout(tk.runtime.quick(model, len(commands)), commands, style=style)
+    walk = tk.runtime.rollout(model, tk.runtime.straight(1.0, 3.0), style=style)
     hands = [walk.skeleton.index(f"{side}_hand") for side in ("left", "right")]
     places = tk.motion.root_frames(walk).to_local(walk.global_positions)[60:, hands]
     return float(places[..., 2].mean()), float((places[:, 0] - places[:, 1]).norm(dim=-1).mean())
