@@ -67,14 +67,14 @@ def add(
     if not name.strip() or any(c in name for c in "=,"):
         raise ValueError(f"a style's name must not be empty nor hold '=' or ',', got {name!r}")
     saving.check(out, ())
+    motions = [motion_files.read(file, unit, up, roles, animation) for file in files]
     learnt = []
     for base in _bases(model, parameters):
         tensors, parts, network, bank = _read(base, parameters)
         if not isinstance(parts.setdefault("added", []), list):
             raise ValueError(f"{model}: its list of added styles is damaged")
         say(f"{base or 'published'}:")
-        shown = [fitted(motion_files.read(file, unit, up, roles, animation), network, bank)
-                 for file in files]
+        shown = [fitted(motion, network, bank) for motion in motions]
         for clip in shown:
             if (why := not_a_walk(clip)) and not anyway:
                 raise ValueError(f"{clip.name}: {why}; no style was learnt (--anyway learns it)")
