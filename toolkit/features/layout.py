@@ -71,17 +71,15 @@ class Layout:
         """What differs from another layout, in words; empty if they are equal.
 
         Bones of people differ in length, so that only a size is compared, the sum of all bones: the
-        same file in two units differs by a factor of 1.7 or more. Skeletons without lengths, on the
-        meta device, have any size.
+        same file in two units differs by a factor of 1.7 or more.
         """
         a, b = self.skeleton, other.skeleton
         if a.names != b.names or a.parents != b.parents or set(a.ends) != set(b.ends):
             return "its joints differ"
-        if not (a.offsets.is_meta or b.offsets.is_meta):
-            sizes = [float(s.offsets[1:].norm(dim=-1).sum()) for s in (a, b)]
-            if max(sizes) > SIZES * min(sizes):
-                times = sizes[0] / max(sizes[1], 1e-9)
-                return f"its bones are {times:.3g} times as long; unit= decides"
+        sizes = [float(s.offsets[1:].norm(dim=-1).sum()) for s in (a, b)]
+        if max(sizes) > SIZES * min(sizes):
+            times = sizes[0] / max(sizes[1], 1e-9)
+            return f"its bones are {times:.3g} times as long; unit= decides"
         if (self.phase, self.samples) != (other.phase, other.samples):
             return "its phase or its samples differ"
         if self.phase_limbs != other.phase_limbs:

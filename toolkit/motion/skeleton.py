@@ -45,13 +45,12 @@ class Skeleton:
         set_ = object.__setattr__
         set_(self, "names", checked(self.names, "a joint"))
         set_(self, "parents", tuple(int(p) for p in self.parents))
-        offsets = as_tensor(self.offsets, "offsets", torch.float32)
-        set_(self, "offsets", offsets if offsets.is_meta else offsets.cpu())
+        set_(self, "offsets", as_tensor(self.offsets, "offsets", torch.float32).cpu())
         n = len(self.names)
         if len(self.parents) != n or self.offsets.shape != (n, 3):
             raise ValueError(f"{n} joint names need {n} parents and offsets [{n}, 3]; got "
                              f"{len(self.parents)} parents and offsets {list(self.offsets.shape)}")
-        if not offsets.is_meta and not bool((offsets[1:].abs() <= LONGEST).all()):
+        if not bool((self.offsets[1:].abs() <= LONGEST).all()):
             raise ValueError(f"offsets must be finite, and at most {LONGEST:g} m")
         below = enumerate(self.parents[1:], 1)
         if self.parents[:1] != (-1,) or any(not 0 <= p < j for j, p in below):
@@ -66,11 +65,12 @@ class Skeleton:
         if wrong := [str(name) for name in self.ends if name not in leaves]:
             raise ValueError("End Sites must be leaves of the tree; these are not: "
                              f"{', '.join(wrong)}")
-        if self.roles is None:
-            lengths = None if self.offsets.is_meta else self.offsets.norm(dim=-1).tolist()
+        roles = self.roles
+        if roles is None:
+            lengths = self.offsets.norm(dim=-1).tolist()
             found = find(self.names, self.parents, lengths, self.ends)
-            set_(self, "roles", {role: joint for role, (joint, _) in found.items()})
-        set_(self, "roles", dict(self.roles))
+            roles = {role: joint for role, (joint, _) in found.items()}
+        set_(self, "roles", dict(roles))
 
     def __len__(self) -> int:
         return len(self.names)
