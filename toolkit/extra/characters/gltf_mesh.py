@@ -241,9 +241,7 @@ class _Reader:
         usual = (1.0 if surface else GREY,) * 4
         linear = numbers_of(surface, "baseColorFactor", 4, usual)[None, :3].repeat(count, 0)
         if "COLOR_0" in attributes:
-            accessors = self.file.listed("accessors")
-            kind = accessors[index_of(attributes, "COLOR_0", len(accessors))].get("type")
-            given = self.file.array(attributes["COLOR_0"], 4 if kind == "VEC4" else 3)[:, :3]
+            given = self.file.array(attributes["COLOR_0"], 3, 4)[:, :3]
             if len(given) != count:
                 raise ValueError("the colours of a mesh do not fit its vertices")
             linear = linear * given

@@ -2,17 +2,27 @@
 
 import copy
 import os
+from pathlib import Path
 
 import numpy as np
 import torch
 
 from toolkit.extra.characters.character import Character
 from toolkit.extra.characters.gltf_mesh import opened
-from toolkit.extra.engines.gltf import STILL, animation
+from toolkit.extra.engines import gltf
 from toolkit.extra.formats.gltf import pose
 from toolkit.extra.formats.gltf_file import Buffer, container
 from toolkit.io.files import write_whole
 from toolkit.motion import Clip, rotations as R
+
+
+def write(clip: Clip, path: Path, *, title: str, source: Clip | None, progress: bool,
+          character: Character | None) -> None:
+    """A .glb file of the mannequin or of a character, for `toolkit.io.save`."""
+    if character is None:
+        gltf.save(clip, path)
+    else:
+        save(clip, path, character)
 
 
 def save(clip: Clip, path: str | os.PathLike, character: Character) -> None:
@@ -49,7 +59,7 @@ def save(clip: Clip, path: str | os.PathLike, character: Character) -> None:
         local = R.unroll(R.normalize(R.multiply(R.inverse(above), turns[:, joint])))
         values = local[:, [1, 2, 3, 0]].numpy()
         node["rotation"] = values[0].tolist()
-        if np.ptp(values, axis=0).max() > STILL:
+        if np.ptp(values, axis=0).max() > gltf.STILL:
             tracks.append((character.mesh.nodes[joint], "rotation", values))
     inverse, top = np.linalg.inv(frame), character.mesh.nodes[0]
     root = places[:, 0] @ inverse[:3, :3].T + inverse[:3, 3]
@@ -58,7 +68,7 @@ def save(clip: Clip, path: str | os.PathLike, character: Character) -> None:
 
     views, accessors = document.get("bufferViews", []), document.get("accessors", [])
     buffer = Buffer(bytes(file.binary), views, accessors)
-    document["animations"] = [animation(buffer, made, tracks)]
+    document["animations"] = [gltf.animation(buffer, made, tracks)]
     try:
         whole = container(document, buffer)
     except ValueError:

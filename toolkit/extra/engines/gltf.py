@@ -2,27 +2,16 @@
 
 import os
 from collections.abc import Iterable
-from pathlib import Path
 
 import numpy as np
 import torch
 
-from toolkit import registry
 from toolkit.extra.formats.gltf_file import Buffer, container
 from toolkit.io.files import write_whole
 from toolkit.motion import Clip, rotations as R
 
 STILL = 1e-6  # a channel that changes by less is left out, quaternion components and metres
 VERTICES, INDICES = 34962, 34963  # targets of glTF's buffer views
-
-
-def write(clip: Clip, path: Path, *, title: str, source: Clip | None, progress: bool,
-          character) -> None:
-    """A .glb file of the mannequin or of a character, for `toolkit.io.save`."""
-    if character is None:
-        save(clip, path)
-    else:
-        registry.find("character.save")(clip, path, character)
 
 
 def save(clip: Clip, path: str | os.PathLike) -> None:

@@ -70,12 +70,17 @@ class Document:
                 found[child] = j
         return found
 
-    def array(self, index: object, width: int) -> np.ndarray:
-        """The values ``[N, width]`` of an accessor, float64; decoded once, so never change them."""
+    def array(self, index: object, *widths: int) -> np.ndarray:
+        """The values ``[N, width]`` of an accessor of one of some widths, float64.
+
+        They are decoded once, so never change them.
+        """
         accessors = self.listed("accessors")
         index = index_of({"accessor": index}, "accessor", len(accessors))
-        if WIDTHS.get(str(accessors[index].get("type"))) != width:
-            raise ValueError(f"accessor {index} should have {width} values in a row")
+        width = WIDTHS.get(str(accessors[index].get("type")))
+        if width not in widths:
+            raise ValueError(f"accessor {index} should have {' or '.join(map(str, widths))} values "
+                             "in a row")
         if index not in self.arrays:
             self.arrays[index] = self._decode(accessors[index], index, width)
         return self.arrays[index]

@@ -12,9 +12,10 @@ from torch import Tensor
 
 from toolkit.extra.shots.following import FPS, Course, Pair
 from toolkit.extra.shots.keys import HANDS, LIMBS, Pin
-from toolkit.extra.shots.pins import weights
+from toolkit.extra.shots.pins import eased, weights
 from toolkit.motion import local_rotations, rotations as R
 from toolkit.motion.ik import plant_feet, two_bone
+from toolkit.motion.roles import CHAINS
 from toolkit.motion.skeleton import FEET, Skeleton, forward_kinematics
 
 LIFT = 0.1  # metres by which a foot goes up on its way
@@ -58,8 +59,7 @@ def pinned(skeleton: Skeleton, rotations: Tensor, root: Tensor,
         ways = []
         for now in times[chosen].tolist():
             held = min(max(now, pin.at), pin.end)
-            u = min(abs(now - held) / CARRY, 1.0)
-            share = u**3 * (u * (6 * u - 15) + 10)
+            share = eased(min(abs(now - held) / CARRY, 1.0))
             (x, z), (px, pz) = (_place(course, time) for time in (now, held))
             ways.append((share * (x - px), 0.0, share * (z - pz)))
         return root.new_tensor(ways)
@@ -111,7 +111,7 @@ def pinned(skeleton: Skeleton, rotations: Tensor, root: Tensor,
     # arms are bent to their pins, with elbows that point down, outwards and back
     for limb in HANDS:
         side = limb.removesuffix("_hand")
-        joints = [skeleton.role(f"{side}_{part}") for part in ("shoulder", "elbow", "hand")]
+        joints = _limb(skeleton, side, "arm")
         a, b, c = (p[:, j] for j in joints)
         upper, lower, out = b - a, c - b, left if side == "left" else -left
         for to, w in goals[limb][2]:
@@ -137,10 +137,14 @@ def pinned(skeleton: Skeleton, rotations: Tensor, root: Tensor,
 
 def figure(skeleton: Skeleton) -> dict[str, list]:
     """The joints that `pinned` turns, for ``view/scene/pins.js``."""
-    arms = [[skeleton.role(f"{side}_{part}") for part in ("shoulder", "elbow", "hand")]
-            for side in FEET]
-    return {"spine": skeleton.trunk[::-1], "neck": skeleton.neck, "arms": arms,
+    return {"spine": skeleton.trunk[::-1], "neck": skeleton.neck,
+            "arms": [_limb(skeleton, side, "arm") for side in FEET],
             "facing": skeleton.facing_axis.tolist(), "names": list(skeleton.names)}
+
+
+def _limb(skeleton: Skeleton, side: str, kind: str) -> list[int]:
+    """Joints of an arm or a leg, outwards."""
+    return [skeleton.role(f"{side}_{part}") for part in CHAINS[kind]]
 
 
 def _posed(skeleton: Skeleton, local: Tensor, root: Tensor,
@@ -181,13 +185,11 @@ def _leaned(skeleton: Skeleton, p: Tensor, spine: list[int],
     for _ in range(ROUNDS):
         for side in FEET:
             target, weight, _ = goals[f"{side}_foot"]
-            hip, knee, foot = (p[:, skeleton.role(f"{side}_{part}")]
-                               for part in ("hip", "knee", "foot"))
+            hip, knee, foot = (p[:, j] for j in _limb(skeleton, side, "leg"))
             lack, _ = _lack(target - hip - shifted(), hip, knee, foot)
             sink = _limited(sink + weight * lack.clamp_min(0), SINK)
             target, weight, _ = goals[f"{side}_hand"]
-            arm = [skeleton.role(f"{side}_{part}") for part in ("shoulder", "elbow", "hand")]
-            a, b, c = (p[:, j] for j in arm)
+            a, b, c = (p[:, j] for j in _limb(skeleton, side, "arm"))
             chest = p[:, spine[0]] + shifted()
             for k, bone in enumerate(bones, 1):
                 chest = chest + R.rotate(_turn(bend * k / len(spine)), bone)
