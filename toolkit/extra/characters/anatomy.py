@@ -226,16 +226,23 @@ def _from_motion(clip: Clip) -> Anatomy:
             elif part in ("foot", "toe"):
                 axes[joint] = _foot_axes(clip, joint, joints["foot"], bones.get(joints["foot"]))
             else:
-                # The nearest axes, turned the shortest way so that the bone points as in a T-pose.
-                wanted = _t_pose_direction(clip.rotations, side, part)
-                near = _mean_axes(clip, joint)
-                there = R.normalize(R.rotate(near, wanted))
-                axes[joint] = R.multiply(R.between(there, R.normalize(bones[joint])), near)
-                hinge = _elbow_axis(clip, side, joint, bones[joint]) if kind == "arm" else None
-                if hinge is not None:
-                    axes[joint] = _arm_axes(bones[joint], hinge, wanted, side)
+                axes[joint] = _bone_axes(clip, side, part, joint, bones[joint])
     mean = R.normalize(R.unroll(clip.rotations).mean(0))
     return Anatomy(skeleton, axes, mean, bones, spine, neck)
+
+
+def _bone_axes(clip: Clip, side: str, part: str, joint: int, bone: Tensor) -> Tensor:
+    """Axes of a joint of a limb with the direction of its bone in the T-pose."""
+    wanted = _t_pose_direction(clip.rotations, side, part)
+    if part in PARTS["arm"]:
+        hinge = _elbow_axis(clip, side, joint, bone)
+        if hinge is not None:
+            return _arm_axes(bone, hinge, wanted, side)
+
+    # The axes nearest to the body's, turned the shortest way
+    near = _mean_axes(clip, joint)
+    there = R.normalize(R.rotate(near, wanted))
+    return R.multiply(R.between(there, R.normalize(bone)), near)
 
 
 def _mean_axes(clip: Clip, joint: int) -> Tensor:

@@ -228,11 +228,15 @@ def _feet(body: RecordedBody, fps: float, found: Findings, way: float, reach: fl
         return float((body.toe_steps(found.up, factor).min(0) * second < SLOW).mean())
 
     share, option = standing(1.0), "clip.replace(root_positions=…) or (fps=…)"
-    factors = sorted({a / b for a in UNITS.values() for b in UNITS.values() if a != b})
-    if share < PARTLY and standing(best := max(factors, key=standing)) > MOSTLY > standing(0.0):
-        found.doubt("the path is in another unit than the bones: the feet slide, and stand if it "
-                    f"is {best:.4g} times as long", option)
-    elif share < NEVER and way > WAY[0]:
+    if share < PARTLY:
+        factors = sorted({a / b for a in UNITS.values() for b in UNITS.values() if a != b})
+        best = max(factors, key=standing)
+        # feet that stand without any path, too, show nothing
+        if standing(best) > MOSTLY > standing(0.0):
+            found.doubt("the path is in another unit than the bones: the feet slide, and stand if "
+                        f"it is {best:.4g} times as long", option)
+            return
+    if share < NEVER and way > WAY[0]:
         found.doubt(f"the body goes {way:.0f} m, and no foot ever stands", option)
     elif reach > WAY[1] and body.toe_steps(found.up).max() * second < QUICK:
         found.doubt(f"the body goes {reach:.0f} m, and its feet hardly move", option)

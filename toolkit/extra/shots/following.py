@@ -28,10 +28,11 @@ STANDING = 0.5
 NEAR = 0.06  # metres: a standing character that is as close to its place is left alone
 
 Pair = tuple[float, float]
+Keys = tuple[Sequence[float], Sequence[float], Sequence[str]]  # times, values and easings
 
 
-def keyed(keys: tuple[Sequence[float], Sequence[float], Sequence[str]], now: float) -> float:
-    """The value at a time of keys: their times, values and easings, see `between`."""
+def keyed(keys: Keys, now: float) -> float:
+    """The value of keys at a time, see `between`."""
     times, values, easings = keys
     a, b, weight = between(times, easings, now)
     return values[a] + weight * (values[b] - values[a])
@@ -112,7 +113,7 @@ class Course:
     Parameters
     ----------
     curve : the curve to walk
-    speeds : times, speeds and easings of the speed keys, see `keyed`
+    speeds : the speed keys, see `keyed`
     arrivals
         (name, distance, time) of the points that have a time, in order. The speed on the way there
         is scaled so that they are met.
@@ -120,8 +121,7 @@ class Course:
     duration : seconds, or None: until the end of the curve is reached, and `SETTLE` more
     """
 
-    def __init__(self, curve: Curve, speeds: tuple[Sequence[float], Sequence[float], Sequence[str]],
-                 arrivals: Sequence[tuple[str, float, float]],
+    def __init__(self, curve: Curve, speeds: Keys, arrivals: Sequence[tuple[str, float, float]],
                  holds: Sequence[tuple[float | None, float | None, float]],
                  duration: float | None):
         self.curve, self.speeds, self.arrivals = curve, speeds, arrivals

@@ -37,13 +37,13 @@ def weights(pins: Sequence[Pin], part: str, times: Tensor) -> tuple[list[tuple[P
         begin = max(pin.at - BLEND, end)
         into = (times - begin) / max(pin.at - begin, 1e-6)
         away = (pin.end + BLEND - times) / BLEND
-        w = eased(torch.minimum(into, away).clamp(0.0, 1.0))
+        w = smoother(torch.minimum(into, away).clamp(0.0, 1.0))
         found, end = [*found, (pin, w)], pin.end
         free = free * (1 - w)
     return found, 1 - free
 
 
-def eased(u):
+def smoother(u):
     """A share of the way that starts and ends without speed and acceleration."""
     return u**3 * (u * (6 * u - 15) + 10)
 

@@ -13,7 +13,7 @@ import torch
 from torch import Tensor
 
 from toolkit.extra.shots import feasibility, following, pins, reaching
-from toolkit.extra.shots.following import FPS, LONGEST, Course, Curve, Heading, Pair
+from toolkit.extra.shots.following import FPS, LONGEST, Course, Curve, Heading, Keys, Pair
 from toolkit.extra.shots.keys import (
     FAST,
     Hold,
@@ -146,7 +146,9 @@ class Shot:
                  bank: StyleBank | None) -> tuple[Course, Heading]:
         """A plan through points, by name and with the seconds of a pause."""
         curve = Curve([(p.x, p.z) for _, p, _ in stops], self.smooth)
-        speeds = _columns(self.speeds or self._natural(bank))
+        speeds = self._natural(bank) if not self.speeds else (
+            [key.time for key in self.speeds], [key.speed for key in self.speeds],
+            [key.easing for key in self.speeds])
         placed = list(zip(stops, curve.knots, strict=True))
         holds = [(hold.time, hold.distance, hold.seconds) for hold in self.holds]
         holds += [(None, knot, pause) for (_, _, pause), knot in placed if pause]
@@ -205,7 +207,7 @@ class Shot:
 
     def unmet(self, bank: StyleBank, plan: tuple[Course, Heading], places: list[Pair]) -> list[str]:
         """What `check` says of a character that was at these places (x, z), from frame 1 on."""
-        course, keys = plan[0], _columns(self._natural(bank))
+        course, keys = plan[0], self._natural(bank)
 
         def natural(now: float) -> float:
             return following.keyed(keys, now)
@@ -225,17 +227,12 @@ class Shot:
                   for k, hold in enumerate(self.holds) if (hold.distance or 0.0) > length]
         return lines + feasibility.missed(course, natural, style, places)
 
-    def _natural(self, bank: StyleBank) -> list[SpeedKey]:
+    def _natural(self, bank: StyleBank) -> Keys:
         """The natural speed at every style key: of blends by layer, the mean of the layers."""
         speeds = [sum(bank.speed(blend) for blend in key.layers) / len(key.layers)
                   for key in self.styles]
-        return [SpeedKey(key.time, min(max(v, 0.0), FAST), key.easing)
-                for key, v in zip(self.styles, speeds, strict=True)]
-
-
-def _columns(keys: Sequence[SpeedKey]) -> tuple[list[float], list[float], list[str]]:
-    """Times, speeds and easings of speed keys, as `following.keyed` takes them."""
-    return ([key.time for key in keys], [key.speed for key in keys], [key.easing for key in keys])
+        return ([key.time for key in self.styles], [min(max(v, 0.0), FAST) for v in speeds],
+                [key.easing for key in self.styles])
 
 
 def save(shots: Iterable[Shot], path: str | os.PathLike) -> None:
