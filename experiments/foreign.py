@@ -19,6 +19,7 @@ import typer
 import toolkit as tk
 from experiments.tables import Result, Store
 from toolkit.extra.characters.retargeting import report, retarget
+from toolkit.extra.formats import recorded_body
 from toolkit.motion import root_frames, rotations as R
 from toolkit.motion.roles import SIDES, Tree
 
@@ -146,7 +147,7 @@ def _of_people(
     """What is wrong about a person's clip."""
     points, skeleton = clip.global_positions, clip.skeleton
     tree = Tree(skeleton.parents, skeleton.offsets.norm(dim=-1).tolist())
-    head = points[:, tk.extra.formats.role_checks.head(skeleton.names, tree, skeleton.roles)[-1], 1]
+    head = points[:, recorded_body.head(skeleton.names, tree, skeleton.roles)[-1], 1]
     feet = points[:, [skeleton.role(f"{side}_foot") for side in SIDES], 1].amax(1)
     mirrored = clip.mirrored()
     wrong = {

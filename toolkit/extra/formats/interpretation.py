@@ -15,8 +15,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from toolkit.extra.formats.recorded_body import RecordedBody, heights
-from toolkit.extra.formats.role_checks import misfits
+from toolkit.extra.formats.recorded_body import RecordedBody, heights, misfits
 from toolkit.io import files
 from toolkit.io.recording import Recording
 from toolkit.motion import Clip, Skeleton, rotations as R
