@@ -112,16 +112,13 @@ def report(clip: Clip, made: Clip) -> Report:
     """How far a result of `retarget` is from its clip."""
     own, there = _comparable(with_toes(clip.skeleton), with_toes(made.skeleton))
     clip, made = clip.replace(skeleton=own), made.replace(skeleton=there)
-    angles = []
-    for side in SIDES:
-        for upper, lower in BONES:
-            bones = []
-            for c in (clip, made):
-                ends = [c.skeleton.role(f"{side}_{part}") for part in (upper, lower)]
-                bones.append(R.normalize(c.global_positions[:, ends].diff(dim=1)[:, 0]))
-            first, second = bones
-            angles.append(2 * torch.asin(((first - second).norm(dim=-1) / 2).clamp(max=1.0)))
-    angles = torch.rad2deg(torch.stack(angles))
+    directions = []
+    for c in (clip, made):
+        starts, ends = ([c.skeleton.role(f"{side}_{bone[end]}") for side in SIDES for bone in BONES]
+                        for end in (0, 1))
+        directions.append(R.normalize(c.global_positions[:, ends] - c.global_positions[:, starts]))
+    first, second = directions
+    angles = torch.rad2deg(2 * torch.asin(((first - second).norm(dim=-1) / 2).clamp(max=1.0)))
 
     scale, standing = measure(made).leg / measure(clip).leg, detect(clip) > 0.5
     height = toes_of(made)[..., 1] - standing_height(made)
