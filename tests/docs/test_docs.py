@@ -110,12 +110,13 @@ def test_the_code_of_a_page_runs(page, tmp_path, monkeypatch):
 
 @pytest.mark.filterwarnings("ignore:style 'MyStyle' is too short")
 def test_the_code_of_the_readme_runs(tmp_path, monkeypatch):
-    """As written, but for the length of the walk and of the trainings."""
+    """As written, but for the length of the walk, of the data and of the trainings."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("toolkit.styles.fine_tuning.WALK", (1.0, 0.2))
     text = (DOCS.parent / "README.md").read_text(encoding="utf-8")
     code = "".join(re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL))
     for long, short in (("seconds=10", "seconds=1"), ("seconds=90", "steps=3"),
+                        ('"Strut"]', '"Strut"], gaits="FW", seconds=6'),
                         ("bank=bank)", "bank=bank, steps=3)")):
         assert long in code
         code = code.replace(long, short)
