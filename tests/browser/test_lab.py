@@ -25,16 +25,6 @@ bank = bank.select(["Neutral", "Zombie", "Crouch", "Aeroplane"])
 planted = StyleBank(("Neutral", "Zombie", {IMAGE!r}, {COMMENT!r}), bank.vectors)
 clip = tk.datasets.procedural.generate("Old", seconds=2.0)
 clip = clip.replace(style={IMAGE!r})
-control = tk.view.Controller(model, planted)
-control
-""",
-    """
-pack = tk.view.Controller.send  # a second one, as of a model with one phase for the whole body
-def send(self, content, buffers=None):
-    pack(self, content, buffers and [buffers[0][:-28] if self is other else buffers[0]])
-tk.view.Controller.send, other = send, None
-other = tk.view.Controller(model, planted)
-other
 """,
     """
 points = torch.tensor([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0], [4.0, 4.5]])
@@ -62,6 +52,18 @@ desk
     "course.here('01')",
     f"""
 charts.style_space(points, planted.names, title={COMMENT!r})
+""",
+    """
+control = tk.view.Controller(model, planted)  # last: a controller's frames take the kernel's time
+control
+""",
+    """
+pack = tk.view.Controller.send  # a second one, as of a model with one phase for the whole body
+def send(self, content, buffers=None):
+    pack(self, content, buffers and [buffers[0][:-28] if self is other else buffers[0]])
+tk.view.Controller.send, other = send, None
+other = tk.view.Controller(model, planted)
+other
 """,
     """
 async def probe():
@@ -175,7 +177,9 @@ def steered(page, kernel) -> None:
     page.keyboard.up("q")
     page.keyboard.up("w")
     assert turned[0] > walked[0]  # Q turns left, which is +x
-    box = page.locator(".tk-triangle svg").first.bounding_box()
+    triangle = page.locator(".tkc .tk-triangle svg").first
+    triangle.scroll_into_view_if_needed()
+    box = triangle.bounding_box()
     drag(page, (box["x"] + 110, box["y"] + 123), (box["x"] + 180, box["y"] + 165))
     blended = kernel(lambda p: p["weights"][1] > 0.7)
     assert sum(blended["weights"]) == pytest.approx(1)
@@ -188,7 +192,7 @@ def no_dials_and_no_frames_without_a_view(page, kernel) -> None:
     count = kernel(lambda p: p["other"] > 10)["other"]
     assert page.locator(".tkc-dials").nth(1).is_hidden()
     assert page.locator(".tkc-dials").first.is_visible()
-    page.evaluate(CLEAR, 1)
+    page.evaluate(CLEAR, 8)
     page.wait_for_function("() => document.querySelectorAll('.tkc').length === 1")
     counts = [count, -1]
 
@@ -233,7 +237,7 @@ def styles_are_picked(page) -> None:
 
 def clips_play(page, kernel) -> None:
     """The player plays and stops, and the kernel knows; its picture takes the still's place."""
-    cell = page.locator(".jp-Cell").nth(3)
+    cell = page.locator(".jp-Cell").nth(2)
     cell.locator(".tkv-view").first.scroll_into_view_if_needed()
     assert cell.locator(".tkv-label").all_text_contents() == ["<b>data</b>", "mirrored"]
     button, clock = cell.locator(".tkv-play"), cell.locator(".tkv-clock")
