@@ -64,7 +64,8 @@ export function reversed(shot, course) {
   const end = rounded(endOf(course)), { length } = course.curve, back = (time) => time && rounded(Math.max(end - time, 0));
   const keys = (list) => partOf(shot[list], list, 0, end).map((key, k, all) =>
     ({ ...key, time: rounded(end - key.time), easing: k ? BACK[all[k - 1].easing] ?? all[k - 1].easing : key.easing })).reverse();
-  const path = shot.path.map((p, k) => ({ ...p, time: k === shot.path.length - 1 ? null : back(p.time) })).reverse();
+  const arrives = shot.path.at(-1).time === null ? null : end; // where it started, if it had a time for its end
+  const path = shot.path.map((p, k) => ({ ...p, time: k === shot.path.length - 1 ? null : k ? back(p.time) : arrives })).reverse();
   const holds = shot.holds.map((hold) =>
     ({ ...hold, time: hold.time === null ? null : rounded(Math.max(end - hold.time - hold.seconds, 0)), distance: hold.distance === null ? null : rounded(Math.max(length - hold.distance, 0)) }));
   const pins = shot.pins.filter(({ at }) => at < end).map((pin) =>
