@@ -119,7 +119,6 @@ def windows(clip: Clip) -> Tensor:
     floor = p[:, at, 1].amin(1).quantile(0.05)
     places = p[:, at] - p[:, at[:1]]
     places[:, 0, 1] = p[:, at[0], 1] - floor
-    velocity = p[1:, at[:1]].diff(dim=0, prepend=p[:1, at[:1]]) * FPS
-    seen = torch.cat((facing(clip, places)[1:].flatten(1),
-                      facing(clip, torch.cat((p[:1, at[:1]] * 0, velocity)))[1:, 0, [0, 2]]), 1)
-    return (seen / leg).float().unfold(0, WINDOW, HOP).transpose(1, 2)
+    velocity = p[:, at[:1]].diff(dim=0, prepend=p[:1, at[:1]]) * FPS
+    seen = (facing(clip, places).flatten(1), facing(clip, velocity)[:, 0, [0, 2]])
+    return (torch.cat(seen, 1)[1:] / leg).float().unfold(0, WINDOW, HOP).transpose(1, 2)

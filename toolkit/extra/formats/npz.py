@@ -152,14 +152,15 @@ def _smpl(arrays: Mapping[str, np.ndarray], poses: Tensor) -> Recording:
             raise ValueError(f"the root's positions should be [{frames}, 3], "
                              f"got {list(place.shape)}")
 
-    for name in ("joints", "Jtr", "posed_joints"):
-        shape = arrays[name].shape if name in arrays else ()
-        if len(shape) == 3 and shape[0] == frames and shape[1] >= count and shape[2] == 3:
-            given = _tensor(arrays, name)
-            skeleton = Skeleton(SMPL[:count], PARENTS[:count], offsets)
-            world = forward_kinematics(skeleton, turns, given[:, 0])[0]
-            offsets, place = _offsets(PARENTS[:count], world, given[:, :count]), given[:, 0]
-            break
+    shapes = {name: arrays[name].shape for name in ("joints", "Jtr", "posed_joints")
+              if name in arrays}
+    fit = [name for name, shape in shapes.items() if len(shape) == 3 and shape[0] == frames
+           and shape[1] >= count and shape[2] == 3]
+    if fit:
+        given = _tensor(arrays, fit[0])
+        skeleton = Skeleton(SMPL[:count], PARENTS[:count], offsets)
+        world = forward_kinematics(skeleton, turns, given[:, 0])[0]
+        offsets, place = _offsets(PARENTS[:count], world, given[:, :count]), given[:, 0]
     else:
         if not known:
             doubts.append("the file has no positions of the root; it was kept in its place")

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import torch
+from torch import Tensor
 
 from toolkit.evaluation.findings import OTHERS
 from toolkit.extra.shots import apart as avoidance, following
@@ -21,8 +22,7 @@ from toolkit.extra.shots.shot import Shot, parse, read, save
 from toolkit.extra.shots.walking import first
 from toolkit.motion import Clip
 from toolkit.networks.bank import StyleBank
-from toolkit.runtime import CharacterState, Command, start, step, world_joints
-from toolkit.runtime.recording import joined
+from toolkit.runtime import CharacterState, Command, pose, start, step, world_joints
 
 WAIT = 0.4  # metres behind its plan at which the plan of a character who keeps apart waits
 FASTER, SLOWEST = 1.3, 0.3  # times the planned speed, and m/s: such a character's largest speed
@@ -291,10 +291,21 @@ class Scene:
         if self.apart is None:
             return [shot.render(model, bank) for shot in self.shots]
         plans = [shot.plan(bank) for shot in self.shots]
-        # without the styles, which are large
-        states = [state.with_style(torch.empty(0)) for state in self.states(model, bank, plans)]
-        return [shot.drawn(model, joined(states, k), course)
-                for k, (shot, (course, _)) in enumerate(zip(self.shots, plans, strict=True))]
+        # drawn at once, as a state is five times as large as a pose
+        drawn = [self._pose(model, state) for state in self.states(model, bank, plans)]
+        rotations, roots = (torch.stack(parts, 1) for parts in zip(*drawn, strict=True))
+        return [shot.pinned(model, turns, path, course) for turns, path, shot, (course, _) in zip(
+            rotations, roots, self.shots, plans, strict=True)]
+
+    @torch.no_grad()
+    def _pose(self, model, state: CharacterState) -> tuple[Tensor, Tensor]:
+        """The pose of every character, each with its own IK."""
+        wanted = [(shot.feet, shot.arms) for shot in self.shots]
+        made = {kind: pose(model, state, feet=kind[0], arms=kind[1]) for kind in set(wanted)}
+        if len(made) == 1:
+            return made[wanted[0]]
+        return tuple(torch.stack([made[kind][part][k] for k, kind in enumerate(wanted)])
+                     for part in (0, 1))
 
 
 def _aimed(course: Course, clock: int, place: Pair, asked: np.ndarray) -> tuple[Pair, bool]:

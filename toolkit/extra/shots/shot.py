@@ -180,11 +180,15 @@ class Shot:
 
     def drawn(self, model, states: CharacterState, course: Course) -> Clip:
         """The motion of the `joined` states, with the pins of the shot met."""
-        skeleton = model.layout.skeleton
         with torch.no_grad():
             drawn = pose(model, states, feet=self.feet, arms=self.arms)
-            drawn = reaching.pinned(skeleton, *drawn, self.pins, course)
-        return Clip(skeleton, *drawn, FPS, name=self.name)
+        return self.pinned(model, *drawn, course)
+
+    def pinned(self, model, rotations: Tensor, root: Tensor, course: Course) -> Clip:
+        """The motion of poses, with the pins of the shot met."""
+        skeleton = model.layout.skeleton
+        made = reaching.pinned(skeleton, rotations, root, self.pins, course)
+        return Clip(skeleton, *made, FPS, name=self.name)
 
     def _walked(self, model, bank: StyleBank, plan: tuple[Course, Heading]) -> CharacterState:
         """The states of all frames, along the leading axis."""
