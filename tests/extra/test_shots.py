@@ -99,7 +99,14 @@ def test_bodies_keep_apart_by_the_reach_of_their_styles(fast):
     lines = Scene(arms, 1.0).check(*fast)
     assert sum("its limbs may go through others; `shot --bodies" in line for line in lines) == 2
     assert scene.check(*fast) == []
-    assert min(scene.radii) > 0.6  # of outstretched arms
+    assert min(scene.radii) > 0.6  # of outstretched arms, in a walk straight ahead
+    state, reach = tk.runtime.start(fast[0], fast[1]["Aeroplane"]), []
+    for _ in range(59):
+        ahead = tk.runtime.Command((0.0, fast[1].speed("Aeroplane")))
+        state = tk.runtime.step(fast[0], state, ahead)
+        joints = tk.runtime.world_joints(fast[0].layout, state)["position"][0, :, [0, 2]]
+        reach.append(float((joints - state.root[0, :2]).norm(dim=-1).max()))
+    assert scene.radii[0] == pytest.approx(max(reach[20:]) + 0.2, abs=0.0051)
     assert scene.radii == [round(radius, 2) for radius in scene.radii]
     wide, narrow = Scene([arms[0], MEET[1]], 1.0).spaced(*fast, bodies=0.8).radii
     assert wide == pytest.approx(scene.radii[0] + 0.2, abs=0.011)
