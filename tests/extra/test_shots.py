@@ -430,7 +430,7 @@ def test_pins_of_all_kinds_move_a_walk_by_known_distances(walk_clip):
     found = [float(gone[walk.skeleton.role(name)]) for name in joints]
     found.append(float(gone[walk.skeleton.names.index("HeadEnd")]))
     known = [0.38107, 0.25756, 0.44308, 0.39679, 0.20307, 0.16131, 0.54464]
-    assert found == pytest.approx(known, abs=5e-5)
+    assert found == pytest.approx(known, abs=2e-5)  # twice the softness of an arm moves 4e-5
 
 
 def test_a_pinned_pose_is_taken_where_the_character_stands(fast):
