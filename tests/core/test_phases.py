@@ -71,7 +71,6 @@ def test_contact_free_is_the_longest_axis_of_all_clips_and_points_forward(walk_c
 
 
 @pytest.mark.parametrize(("source", "message"), [
-    ("hybird", "^unknown phase source 'hybird'; known: hybrid, contact, contact-free, velocity$"),
     (lambda clip, limb: torch.zeros(3), r"must give one finite number per frame \(480\) for every"),
     (lambda clip, limb: torch.zeros(len(clip), 1), "one finite number per frame"),
     (lambda clip, limb: torch.full((len(clip),), math.nan), "one finite number per frame"),

@@ -139,8 +139,6 @@ def test_a_style_that_hardly_walks_is_doubted(shared, tmp_path, capsys, style, d
 def test_missing_and_damaged_files_are_named(tmp_path):
     with pytest.raises(ValueError, match="no such folder"):
         tk.published.load(tmp_path / "nowhere")
-    with pytest.raises(ValueError, match=r"Xmean\.bin: missing; expected 348 float32"):
-        tk.published.load(tmp_path)
     for name, shape in parameters.SHAPES.items():
         with (tmp_path / f"{name}.bin").open("wb") as file:
             file.truncate(4 * math.prod(shape))

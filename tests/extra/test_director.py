@@ -19,6 +19,7 @@ def desk():
 
 
 def test_shots_go_in_and_out(desk):
+    assert {"data", "scene", "height"} <= set(desk.keys)  # which the page gets
     assert [shot.name for shot in desk.shots] == ["shot 1"]
     assert [(p.x, p.z) for p in desk.shots[0].path] == [(0, 0), (0.6, 2), (-0.6, 4), (0, 6)]
     blended = [(0, "Old"), (1, {"Old": 0.5, "Strut": 0.5})]
