@@ -79,13 +79,13 @@ class Scene:
                                  "apart, metres")
             return
         put("apart", number(self.apart, "apart", 0.1, 5.0))
-        firsts = [(shot.path[0].x, shot.path[0].z) for shot in self.shots]
-        for b, there in enumerate(firsts):
-            for a, here in enumerate(firsts[:b]):
-                if math.dist(here, there) < (least := self.radii[a] + self.radii[b]):
-                    raise ValueError(f"shots[{a}] and shots[{b}] start "
-                                     f"{math.dist(here, there):.2f} m from each other, "
-                                     f"closer than the {least:.2f} m that they keep")
+        firsts, radii = [(shot.path[0].x, shot.path[0].z) for shot in self.shots], self.radii
+        for b in range(len(firsts)):
+            for a in range(b):
+                room, least = math.dist(firsts[a], firsts[b]), radii[a] + radii[b]
+                if room < least:
+                    raise ValueError(f"shots[{a}] and shots[{b}] start {room:.2f} m from each "
+                                     f"other, closer than the {least:.2f} m that they keep")
 
     def _called(self, k: int) -> str:
         """A shot in a message: its number, and its name if it has one."""
