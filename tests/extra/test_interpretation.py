@@ -280,6 +280,19 @@ def test_a_unit_that_the_file_states_is_taken_where_it_fits_people():
     assert re.fullmatch(doubt, *wrong.doubts)
 
 
+def test_a_long_chain_of_joints_takes_no_longer_than_its_length(walk_clip):
+    """Paths that are walked for each joint took ten minutes for 40,000 joints."""
+    skeleton, many = walk_clip.skeleton, 20_000
+    clip, count = walk_clip.cut(0, 2), len(skeleton)
+    chest = skeleton.trunk[0]
+    made = interpretation.interpret(recorded(
+        clip, names=(*skeleton.names, *(f"x{i}" for i in range(many))),
+        parents=(*skeleton.parents, chest, *range(count, count + many - 1)),
+        offsets=torch.cat((skeleton.offsets.double(), torch.full((many, 3), 1e-6).double())),
+        rotations=torch.cat((clip.rotations, R.identity(2, many)), 1)), Path("a.glb"))[0]
+    assert made.skeleton.roles == skeleton.roles
+
+
 def test_the_rest_pose_shows_the_axis_where_the_motion_does_not():
     """A body that turns heels over head in one second; at rest it stands along z."""
     clip = rigs.walk("LaFAN1", seconds=1.0)

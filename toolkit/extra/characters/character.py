@@ -126,8 +126,8 @@ def _clip(mesh: SkinnedMesh, pose: np.ndarray, name: str) -> Clip:
     offsets = torch.zeros(len(pose), 3, dtype=torch.float64)
     above = list(mesh.parents[1:])
     offsets[1:] = R.rotate(R.inverse(turned[above]), places[1:] - places[above])
-    ends = [name for j, name in enumerate(mesh.names)
-            if j and j not in mesh.parents and END.search(name)]
+    inner = {0, *mesh.parents}
+    ends = [name for j, name in enumerate(mesh.names) if j not in inner and END.search(name)]
     skeleton = Skeleton(mesh.names, mesh.parents, offsets.float(), ends=ends)
     return Clip(skeleton, R.normalize(local_rotations(skeleton, turned[None]).float()),
                 places[:1].float(), 60.0, name=name)

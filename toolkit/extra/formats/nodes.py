@@ -125,7 +125,8 @@ def record(nodes: Sequence[Node], frames: int, fps: float, *, format_: str, unit
         rotations[:, i] = nodes[j].rotation
     parents = (-1, *(place[nodes[j].parent] for j in kept[1:]))
 
-    ends = [names[i] for i, j in enumerate(kept) if i and i not in parents
+    inner = {0, *parents}
+    ends = [names[i] for i, j in enumerate(kept) if i not in inner
             and END.search(names[i]) and len(nodes[j].rotation) == 1]
     if roles is not None:
         roles = {role: names[place[j]] for role, j in roles.items() if j in place}

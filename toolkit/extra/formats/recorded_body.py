@@ -4,7 +4,7 @@ Also what joints with roles show before that: where the head is, and which roles
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from itertools import pairwise, takewhile
 
@@ -204,13 +204,24 @@ def head(names: Sequence[str], tree: Tree, roles: Mapping[str, str]) -> list[int
     trunk = [a for a, b in zip(*arms, strict=False) if a == b]
     limbs = {names.index(joint) for role, joint in roles.items() if role != "hips"}
     limbs |= {j for j in tree.below(trunk[0]) if said[j].side}
-    between = [j for j in tree.below(trunk[-1])[1:] if limbs.isdisjoint(tree.up(j))]
+    between = {}
+    if limbs.isdisjoint(trunk):
+        between = _reached(tree, trunk[-1], lambda j: j not in limbs)
+        del between[trunk[-1]]
     called = [j for j in between if "head" in said[j].parts]
     if not called:
-        far = max(between, key=lambda j: tree.distance(trunk[-1], j), default=trunk[-1])
-        return tree.up(far)[::-1]
+        return tree.up(max(between, key=between.get, default=trunk[-1]))[::-1]
 
     # Its top is the farthest point that only tips and helpers lead to.
-    tops = [j for j in tree.below(called[0])
-            if all(said[k].helper for k in tree.up(j)[: tree.up(j).index(called[0])])]
-    return tree.up(max(tops, key=lambda j: tree.distance(called[0], j)))[::-1]
+    tops = _reached(tree, called[0], lambda j: said[j].helper)
+    return tree.up(max(tops, key=tops.get))[::-1]
+
+
+def _reached(tree: Tree, start: int, through: Callable[[int], bool]) -> dict[int, float]:
+    """Joints to which only joints of a kind lead down from a first one, with their distances."""
+    found, waiting = {start: 0.0}, [start]
+    for j in waiting:
+        below = [k for k in tree.children[j] if through(k)]
+        found |= {k: found[j] + tree.lengths[k] for k in below}
+        waiting += below
+    return found
