@@ -7,6 +7,7 @@ result. `pruned` leaves out what a model of locomotion does not need: fingers, f
 clothes and props.
 """
 
+from collections import Counter
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import pairwise
@@ -247,10 +248,9 @@ def body_joints(skeleton: Skeleton) -> list[int]:
     # Joints above all of them are left out, but for the lowest one
     shared = set(paths[0]).intersection(*paths)
     kept = {j for path in paths for j in path} - (shared - {max(shared)})
-    for j, parent in enumerate(skeleton.parents):
-        alone = parent in tips or skeleton.parents.count(parent) == 1
-        if skeleton.is_end(j) and parent in kept and alone:
-            kept.add(j)
+    children = Counter(skeleton.parents)
+    kept |= {j for j, parent in enumerate(skeleton.parents) if skeleton.is_end(j)
+             and parent in kept and (parent in tips or children[parent] == 1)}
     return sorted(kept)
 
 

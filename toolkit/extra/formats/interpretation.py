@@ -245,10 +245,9 @@ def _others(body: RecordedBody, found: Findings) -> None:
     """A doubt about joints that do not belong to the body: a second person."""
     if "hips" not in body.joint:
         return
-    hips = body.joint["hips"]
+    hips, ends = body.joint["hips"], {*body.recording.ends}
     own = {*body.tree.up(hips), *body.tree.below(hips), *body.head}
-    others = [name for j, name in enumerate(body.names)
-              if j not in own and name not in body.recording.ends]
+    others = [name for j, name in enumerate(body.names) if j not in own and name not in ends]
     if len(others) >= MANY and own.issuperset(body.joint.values()):
         found.doubts.append(f"{len(others)} joints are beside the body, such as {others[0]}: "
                             "a second person or a prop moves with it; delete them")
