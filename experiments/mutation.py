@@ -69,6 +69,9 @@ EQUIVALENT = {
      "q[1:] * (1 - 2 * apart.to(q.dtype)[..., None]).cumprod(0) -> "
      "q[1:] / (1 - 2 * apart.to(q.dtype)[..., None]).cumprod(0)"): "the factor is 1 or -1",
     ("for _ in range(30):", "30 -> 31"): "Newton takes at most 11 steps",
+    ("lack, _ = _lack(target - hip - shifted(), hip, knee, foot)",
+     "_lack(target - hip - shifted(), hip, knee, foot) -> "
+     "_lack(-(target - hip - shifted()), hip, knee, foot)"): "only the length counts",
 }
 NOT_COPIED = shutil.ignore_patterns(".git", ".venv", "out", "build", "__pycache__", ".*_cache")
 OPPOSITE = {

@@ -132,9 +132,12 @@ def test_check_names_ends_that_are_too_close(fast):
 
 
 def test_check_names_a_gate_to_which_too_many_come_at_once(fast):
-    walls = [((-9, 2), (-1.2, 2)), ((1.2, 2), (9, 2))]
+    def at(x, z):  # turned by 45 degrees
+        return 0.5**0.5 * (x - z), 0.5**0.5 * (x + z)
+
+    walls = [(at(-9, 2), at(-1.2, 2)), (at(1.2, 2), at(9, 2))]
     places = [(1.5 * k - 3, z) for z in (-1, -3) for k in range(5)]
-    many = [Shot([(x, z), (0, 2), (x, 8 + z)], "Neutral", [(0, 0.9)]) for x, z in places]
+    many = [Shot([at(x, z), at(0, 2), at(x, 8 + z)], "Neutral", [(0, 0.9)]) for x, z in places]
     (line,) = Scene(many, 1.2, walls).check(*fast)
     assert "those who come at once would wait for up to" in line
     later = [dataclasses.replace(shot, holds=[{"seconds": 1.5 * k, "time": 0}]) for k,
