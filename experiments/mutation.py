@@ -56,13 +56,8 @@ EQUIVALENT = {
         "NumPy takes any negative size for the missing one",
     ('TRACKS = {b"Lcl Translation": (0.0,) * 3, b"Lcl Rotation": (0.0,) * 3, '
      'b"Lcl Scaling": (1.0,) * 3}', "3 -> 4"): "only the first three are read",
-    ("for key, v in zip(self.styles, speeds, strict=True)]", "True -> False"): "as many as keys",
     ("for path, asked, clip in zip(paths, scene.shots, clips, strict=True):", "True -> False"):
         "all are as many",
-    ('merged = CharacterState(**merged, style=merged["history"].new_empty(len(recorded), 0))',
-     "0 -> 1"): "no pose reads the style",
-    ("floor = torch.stack((root[:, 0], torch.zeros_like(root[:, 0]), root[:, 1]), -1)", "0 -> 1"):
-        "zeros of the same shape",
     ("own=np.array([joints.index(j) if j in joints else -1 for j in range(len(skeleton))]),",
      "1 -> 2"): "it is read only for joints that have one",
     ("return torch.cat((q[:1], q[1:] * (1 - 2 * apart.to(q.dtype)[..., None]).cumprod(0)))",
