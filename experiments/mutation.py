@@ -58,6 +58,8 @@ EQUIVALENT = {
      'b"Lcl Scaling": (1.0,) * 3}', "3 -> 4"): "only the first three are read",
     ("for path, asked, clip in zip(paths, scene.shots, clips, strict=True):", "True -> False"):
         "all are as many",
+    ('return CharacterState(**parts, style=parts["history"].new_empty(len(recorded), 0))',
+     "0 -> 1"): "no pose reads the style",
     ("own=np.array([joints.index(j) if j in joints else -1 for j in range(len(skeleton))]),",
      "1 -> 2"): "it is read only for joints that have one",
     ("return torch.cat((q[:1], q[1:] * (1 - 2 * apart.to(q.dtype)[..., None]).cumprod(0)))",
