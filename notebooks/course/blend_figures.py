@@ -130,5 +130,5 @@ def follows(seconds: Tensor, curves: Mapping[str, tuple[Tensor, Tensor]]) -> go.
                 x=seconds.numpy(), y=curve.numpy(), name=name, line=line, showlegend=i == 1, row=i,
                 col=1
             )
-    figure.update_xaxes(title="seconds", row=len(curves), col=1)
+    figure.update_xaxes(title="seconds", row=len(curves), col=1).update_yaxes(title="share")
     return finish(figure, "The body follows the weights", 440, {}, {}, margin_t=84)

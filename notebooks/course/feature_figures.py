@@ -41,8 +41,7 @@ def carried(clip: Clip, frame: int, positions: int = 24) -> go.Figure:
         specs=[[{"type": "scene", "rowspan": 2}, {}], [None, {}]],
         column_widths=[0.42, 0.58],
         subplot_titles=[
-            "", "x: 12 numbers of each joint, and the trajectory",
-            "World positions of the joints, metres"
+            "", "x: trajectory and joints, m, m/s or no unit", "World positions of the joints, m"
         ],
         vertical_spacing=0.17,
     )
@@ -71,6 +70,7 @@ def carried(clip: Clip, frame: int, positions: int = 24) -> go.Figure:
     ]
     top = max(float(np.abs(state[1].y).max()) for state in states)
     figure.update_yaxes(range=[-top, top], row=1, col=2).update_yaxes(range=[-3, 3], row=2, col=2)
+    figure.update_xaxes(title="column", row=2, col=2)
     return finish(
         figure, "Drag the slider: the character moves and turns", 480, {}, {}, scene=_floor(2.4),
         showlegend=False, bargap=0, margin_t=84,

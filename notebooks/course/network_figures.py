@@ -193,5 +193,6 @@ def confusions(tables: Mapping[str, Tensor], styles: Sequence[str]) -> go.Figure
     figure.update_yaxes(title="frames of", autorange="reversed", row=1, col=1)
     figure.update_yaxes(autorange="reversed")
     return finish(
-        figure, "Error with a right and with a wrong style vector", 470, {}, {}, margin_t=84
+        figure, "Mean squared error (no unit) with right and wrong style vectors", 470, {}, {},
+        margin_t=84
     )

@@ -37,7 +37,7 @@ def cycle(
     curve = ph.local_positions(clip, limb)[:, 2].numpy()
     figure = make_subplots(
         1, 3, column_widths=[0.3, 0.25, 0.45],
-        subplot_titles=["body", "phase", "hand ahead of hips, m"]
+        subplot_titles=["body, m", "phase", "hand ahead of hips, m"]
     )
     seconds = np.arange(first, last + 1) / clip.fps
     figure.add_scatter(
@@ -87,7 +87,7 @@ def frequencies(
         The frequency of the smallest residual; the slider starts near it.
     """
     figure = make_subplots(
-        1, 2, subplot_titles=["The window (grey) and a sinusoid", "Residual r(f)"]
+        1, 2, subplot_titles=["The window (grey) and a sinusoid", "Residual, no unit"]
     )
     t, fits = t.numpy(), {f: (wave.numpy(), r) for f, (wave, r) in fits.items()}
     figure.add_scatter(
