@@ -11,10 +11,9 @@ settings.register_profile("repeatable", derandomize=True, deadline=None, max_exa
                           database=None)
 settings.load_profile("repeatable")
 #: Files that take longer than ten seconds, the longest first.
-SLOW = ("test_shots", "test_export", "test_robustness", "test_styles", "test_exercises",
-        "test_store", "test_training", "test_own_models", "test_docs", "test_comparison",
-        "test_report", "test_runtime", "test_stylization_evaluation", "test_stylization",
-        "test_web", "test_package", "test_compiled", "test_published")
+SLOW = ("test_shots", "test_styles", "test_docs", "test_export", "test_training", "test_package",
+        "test_store", "test_exercises", "test_runtime", "test_report", "test_own_models",
+        "test_stylization")
 torch.set_num_threads(1)  # small tensors: more threads only wait for each other
 
 
