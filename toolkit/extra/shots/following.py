@@ -131,6 +131,7 @@ class Course:
         self.distance, self.speed = [0.0], [0.0]
         # index of the next stop; time until which the character stands
         self._stop, self._until = 0, 0.0
+        self._begins: dict[int, float] = {}  # by frame, see `_next_pause`
         self.late: list[int] = []  # the arrivals that the acceleration does not allow
         for k, (_, distance, time) in enumerate(arrivals):
             slow, fast = 0.0, FASTEST
@@ -174,9 +175,8 @@ class Course:
             speed = max(min(speed + ACCELERATION / FPS, scale * keyed(self.speeds, now)),
                         speed - 2 * ACCELERATION / FPS, 0.0)
             speed = min(speed, math.sqrt(2 * ACCELERATION * max(limit - at, 0.0)))
-            for time, seconds in self.pauses:
-                if now < time + seconds:
-                    speed = min(speed, ACCELERATION * max(time - now, 0.0))
+            if self.pauses:
+                speed = min(speed, ACCELERATION * max(self._next_pause(len(distances)) - now, 0.0))
             if now < self._until:
                 speed = 0.0
             at = min(at + speed / FPS, limit)
@@ -185,6 +185,13 @@ class Course:
             distances.append(at)
             speeds.append(speed)
         return True
+
+    def _next_pause(self, frame: int) -> float:
+        """When the first pause begins that has not ended; infinite after the last one."""
+        if frame not in self._begins:
+            left = (time for time, seconds in self.pauses if frame / FPS < time + seconds)
+            self._begins[frame] = next(left, math.inf)
+        return self._begins[frame]
 
 
 def wrapped(angle: float) -> float:
