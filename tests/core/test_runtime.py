@@ -257,6 +257,7 @@ def test_straight_commands():
     assert len(commands) == 90
     assert commands[0].velocity == pytest.approx((1.2, 1.6))
     assert math.hypot(*commands[0].facing) == pytest.approx(1.0)
+    assert runtime.straight()[599].velocity == (0.0, 1.2)  # for ten seconds
 
 
 @pytest.fixture(scope="module")
