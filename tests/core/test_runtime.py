@@ -337,11 +337,12 @@ def test_a_recording_has_its_feet_held_and_its_arms_turned_unless_it_is_told_oth
 
 
 def test_pilots_command_their_speed_along_the_path_and_half_more_if_late(replayed):
-    state = runtime.start(replayed[0], torch.zeros(1), position=(3.0, -2.0))
+    """Of two characters, the second is two metres behind the first."""
+    state = runtime.start(replayed[0], torch.zeros(2, 1), position=[(3.0, -2.0), (3.0, -4.0)])
     pilots = runtime.follow([(3.0, -2.0), (3.0, 18.0)], speed=2.0)
     for frame, speed in ((0, 2.0), (300, 3.0), (-1, 3.0)):  # ten metres late, and twenty
         command = pilots[frame](state)
-        expected = torch.tensor([[0.0, speed]])
+        expected = torch.tensor([[0.0, speed], [0.0, 3.0]])
         torch.testing.assert_close(command.velocity, expected, atol=1e-4, rtol=0)
         look = torch.nn.functional.normalize(command.facing, dim=-1)
         torch.testing.assert_close(look, torch.tensor([0.0, 1.0]), check_dtype=False)
