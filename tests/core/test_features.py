@@ -23,6 +23,8 @@ def test_widths_are_the_papers(walk_clip):
     assert (layout.n_joints, layout.n_inputs, layout.n_outputs) == (25, 348, 342)
     assert (layout.n_phases, layout.n_clip) == (8, 300)
     assert Layout(walk_clip.skeleton, samples=(-60, 0, 10)).n_inputs == 12 + 300
+    with pytest.raises(ValueError, match=r"^samples .* got \[0, 10\]$"):
+        Layout(walk_clip.skeleton, samples=(0, 10))
     assert layout.bone_lengths(torch.zeros(7, 25, 3)).shape == (7, 24)
     legs = (0, 17, 18, 19, 0, 21, 22, 23)
     spine_and_arms = (-1, 0, 1, 2, 3, 4, 5, 4, 7, 8, 9, 10, 4, 12, 13, 14, 15)
@@ -179,10 +181,11 @@ def test_short_clips_are_left_out_where_that_is_asked_for(two_walks, walk_clip):
 
 
 def test_a_style_with_short_clips_only_has_style_clips_that_repeat(two_walks, walk_clip):
-    short = walk_clip.cut(0, 130).replace(style="Short")
-    data = features.build([short, *two_walks], source="contact")
-    assert data.clips["Short"].shape == (1, 240, 300)
-    assert torch.equal(data.clips["Short"][0, 130:], data.clips["Short"][0, :110])
+    short, three = (walk_clip.cut(0, n).replace(style=f"{n}") for n in (130, 480))
+    data = features.build([short, three, *two_walks], source="contact")
+    assert len(data.clips["480"]) == 3  # of 240 frames, every 120
+    assert data.clips["130"].shape == (1, 240, 300)
+    assert torch.equal(data.clips["130"][0, 130:], data.clips["130"][0, :110])
     clips = [short.replace(style="Neutral"), *two_walks]  # long clips are there
     both = features.build(clips, source="contact")
     assert len(both.clips["Neutral"]) == len(data.clips["Neutral"]) == 2

@@ -55,6 +55,9 @@ def test_a_finding_says_where_and_when(walk):
         assert finding.excess > 1
     assert "s, " in str(found[0])
     assert "> " in str(found[0])
+    worst = [max(f.value for f in defects(damages.jumped(walk.resample(fps), 0.05))
+                 if f.kind == "pop") for fps in (60, 120)]
+    assert worst[0] == pytest.approx(worst[1], rel=0.1)  # over the same time at every rate
 
 
 def test_a_standing_body_that_glides_drifts(stand):

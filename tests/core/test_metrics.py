@@ -93,7 +93,9 @@ def test_pairs_computed_by_hand():
     assert all(f(real, real) == pytest.approx(0, abs=1e-6) for f in ALWAYS)
     ahead = stick(speed=1.0)
     aside = ahead.moved(turn=0.4, shift=(0.0, 0.0, 0.0))
-    assert metrics.trajectory_error(aside, ahead) == pytest.approx(0.4, rel=1e-4)
+    for turn in (0.0, 0.7):
+        both = (clip.moved(turn=turn) for clip in (aside, ahead))
+        assert metrics.trajectory_error(*both) == pytest.approx(0.4, rel=1e-4)
     assert metrics.geodesic(aside, ahead) == pytest.approx(0.4 / joints, rel=1e-4)
     assert metrics.global_position(stick().moved(shift=(3.0, 0.0, 4.0)), stick()) == pytest.approx(
         5.0
