@@ -32,7 +32,7 @@ def target(skeleton: str) -> Clip:
         pose = rotations.identity(1, len(SKELETON))
         return Clip(SKELETON, pose, [[0.0, 0.0, 0.0]], 60.0, name=skeleton)
     if not Path(skeleton).is_file():
-        raise ValueError(f"--skeleton is one of 100style, or a file; got {skeleton!r}")
+        raise ValueError(f"--skeleton is 100style or a file; got {skeleton!r}")
     return read(Path(skeleton))
 
 
