@@ -77,8 +77,7 @@ def check(name: str, answer: Any) -> Verdict:
         )
     exercise = known[name]
     try:
-        empty = ... in answer.values() if isinstance(answer, dict) else answer is ...
-        wrong = NOTHING if empty else exercise.judge(answer)
+        wrong = NOTHING if unanswered(answer) else exercise.judge(answer)
     except Exception as error:  # of the reader's function
         wrong = f"your answer raised {type(error).__name__}: {error}."
     if not wrong or wrong == NOTHING:
@@ -86,6 +85,11 @@ def check(name: str, answer: Any) -> Verdict:
     WRONG[name] += 1
     hint = exercise.question if WRONG[name] == 1 else exercise.recipe
     return Verdict(name, False, f"{wrong[:1].upper()}{wrong[1:]} Hint: {hint}")
+
+
+def unanswered(answer: Any) -> bool:
+    """Whether an answer, or a value in it, is still the ``...`` of the exercise."""
+    return any(x is ... for x in (answer.values() if isinstance(answer, dict) else [answer]))
 
 
 def exercises_of(number: str) -> dict[str, Exercise]:
@@ -118,7 +122,7 @@ def same_as(
             return f"a function is needed, not {type(answer).__name__}."
         every = list(cases())
         got = [answer(*copy.deepcopy(case)) for case in every]
-        if any(x is ... or x is None for x in got):
+        if any(x is None or unanswered(x) for x in got):
             return NOTHING
 
         def off(function: Callable) -> list[str]:

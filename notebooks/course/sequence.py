@@ -76,7 +76,7 @@ LESSONS = {
         Lesson("09", "feet", "Feet", "How do feet stay where they stand?", 50, ("01",), (2, 1)),
         Lesson(
             "10", "the_shot", "The shot",
-            "How does one plan a walk, see what cannot be met, and take it home?", 50, ("04",),
+            "How does one plan a walk, see what cannot be met, and export it?", 50, ("04",),
             (4, 3)
         ),
         Lesson(

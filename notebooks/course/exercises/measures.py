@@ -242,6 +242,7 @@ EXERCISES = {
     "12.1": Exercise(
         shows(
             ("a function of one row is needed", callable),
+            ("no answer yet", lambda f: f(dict(WALKS["clip"])) is not ...),
             ("the clip itself is refused", lambda f: _passes(f, "clip")),
             ("a style is refused: set limits that it meets",
              lambda f: _passes(f, "style") and _passes(f, "second style")),
