@@ -16,7 +16,7 @@ from toolkit.view.render.picture import Picture
 
 NAMES = {
     "adv": "the judge accepts", "cyc": "there and back", "id": "own style",
-    "sty": "the code is found again", "ds": "two codes differ"
+    "sty": "the code is found again", "ds": "two codes give two results"
 }
 SHOWN = {
     "inside": "accepted by the judge", "content": "content kept (correlation)",
