@@ -196,4 +196,5 @@ def graph_figure(graph, place: Tensor) -> Figure:
             title=f"{graph.sizes[level]} nodes", xlabel="metres", aspect="equal", xticks=(-0.3, 0.3)
         )
         place = place @ graph.pool(level) if level < levels - 1 else place
+    figure.supylabel("height, metres")
     return figure

@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 import torch
-from torch.nn import functional as F
 
 PI = math.pi
 LEG = torch.tensor([[0.0, 1.0, 0.0], [0.0, 0.55, 0.1], [0.0, 0.1, 0.0]])  # of exercise 03b.3
@@ -136,16 +135,19 @@ RIGHT["07.3"] = [
 ]
 RIGHT["08a.1"] = [['cyc', 'id']]
 WRONG["08a.1"] = [set(), {'cyc'}, {'id'}]
-RIGHT["08a.2"] = [[[.5, .8]] * 12]
+RIGHT["08a.2"] = [
+    [(x, y / 10) for x, y in zip((.9, .1, .8, .2, .5, .5, .2, .8, .1, .9), range(5, 15))],
+]
 WRONG["08a.2"] = [
-    torch.tensor([[0., -1]] * 10), [[0, 1]] * 9, [[0, 1], [.5, 1]] * 5,
+    torch.tensor([[0., 1]] * 10), [[k / 10 - .5, .5 + k / 10] for k in range(10)],
+    [[.5 - k / 10, .5 + k / 10] for k in range(10)], [[0, .5 + k / 10] for k in range(10)],
 ]
 RIGHT["08a.3"] = [dict(zip('ABC', ('ds', 'adv', 'cyc')))]
 WRONG["08a.3"] = [
     dict(A='ds', B='adv', C='id'), dict(A='adv', B='ds', C='cyc'), dict(A='sty', B='adv', C='cyc'),
 ]
 RIGHT["08b.1"] = [
-    lambda h, g, b: F.layer_norm(h, h.shape[1:], eps=0) * (1 + g[:, None]) + b[:, None],
+    lambda r: torch.stack((r.square().mean(1).sub(r.mean(1) ** 2).sqrt() - 1, r.sum(1) / 20)),
 ]
 RIGHT["08b.2"] = [(4, 5, 0, 1, 2, 3)]
 WRONG["08b.2"] = [

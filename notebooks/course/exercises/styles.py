@@ -74,9 +74,12 @@ def _better_than_nothing(errors: dict) -> bool:
     return 0 < errors["after"] < errors["before"] / 2
 
 
-def _adain(h, gamma, beta):
-    mean, std = h.mean(1, keepdim=True), h.std(1, keepdim=True, correction=0)
-    return (1 + gamma[:, None]) * (h - mean) / std + beta[:, None]
+def _places(points) -> torch.Tensor:
+    return torch.as_tensor(points).float()
+
+
+def _code_of(reference):
+    return torch.stack((reference.std(1, correction=0) - 1, reference.mean(1)))
 
 
 CONTENTS = [0, 0, 1, 1, 2, 2]  # of the six windows of exercise 08b.2
@@ -213,15 +216,18 @@ EXERCISES = {
     ),
     "08a.2": Exercise(
         shows(
-            ("give ten results or more, [N, 2]",
-             lambda x: len(x) > 9 and torch.as_tensor(x).shape[1:] == (2,)),
-            ("the judge refuses a result",
-             lambda x: plane.outside(torch.as_tensor(x).float(), 1).max() < 1e-6),
-            ("the results differ: this is no collapse",
-             lambda x: torch.as_tensor(x).float().var(0).sum() < 1e-6),
+            ("give ten results, [10, 2]", lambda x: _places(x).shape == (10, 2)),
+            ("the judge refuses a result", lambda x: plane.outside(_places(x), 1).max() < 1e-6),
+            ("two results have the same height",
+             lambda x: _places(x)[:, 1].sort().values.diff().min() > 1e-3),
+            ("the results have one content: a correlation needs several",
+             lambda x: _places(x)[:, 0].std() > 0.05),
+            ("the contents are still correlated",
+             lambda x: torch.corrcoef(torch.stack(
+                 (torch.linspace(-0.9, 0.9, 10), _places(x)[:, 0])))[0, 1].abs() < 0.1),
         ),
-        "at how many results does the judge look at a time?",
-        "repeat one point of the target domain, such as (0, 1).",
+        "does the judge know from which source a result comes?",
+        "give contents that are the same on the left and on the right, such as |content|.",
     ),
     "08a.3": Exercise(
         equals({"A": "ds", "B": "adv", "C": "cyc"}),
@@ -230,17 +236,16 @@ EXERCISES = {
     ),
     "08b.1": Exercise(
         same_as(
-            _adain,
-            lambda: [draws(10, (c, 20), (c,), (c,)) for c in (1, 4)],
+            _code_of,
+            lambda: [draws(10, (c, 20)) for c in (1, 4)],
             {
-                "the scale is 1 + γ.": lambda h, gamma, beta: _adain(h, gamma - 1, beta),
-                "mean and deviation are over the frames, axis 1.": lambda h, gamma, beta: (
-                    (1 + gamma[:, None]) * (h - h.mean()) / h.std(correction=0) + beta[:, None]
-                ),
+                "the scale of AdaIN is 1 + γ.": lambda r: _code_of(r) + torch.tensor([[1.0], [0]]),
+                "γ is the first row.": lambda r: _code_of(r).flip(0),
+                "mean and deviation are over the frames, axis 1.": lambda r: _code_of(r.T),
             },
         ),
-        "over which axis are mean and deviation taken, and which shape has γ then?",
-        "subtract the mean over axis 1, divide by the deviation, times 1 + γ[:, None], plus β.",
+        "after IN, mean and deviation are 0 and 1. Which are they after AdaIN?",
+        "AdaIN makes the deviation 1 + γ and the mean β: set both to those of the reference.",
     ),
     "08b.2": Exercise(
         shows(
