@@ -1,5 +1,6 @@
 """Headless Chromium, one for a session; every test here is skipped where it is missing."""
 
+import json
 import os
 import shutil
 from pathlib import Path
@@ -79,10 +80,14 @@ def embedded(pages) -> Path:
 def environment(tmp_path_factory) -> dict[str, str]:
     """Variables of a Jupyter server in a home of its own."""
     home = tmp_path_factory.mktemp("home")
-    lab = home / ".jupyter" / "lab" / "user-settings" / "@jupyterlab" / "apputils-extension"
-    lab.mkdir(parents=True)
-    quiet = '{"fetchNews": "false", "checkForUpdates": false}'
-    (lab / "notification.jupyterlab-settings").write_text(quiet)
+    settings = {  # all cells are attached, seen or not: a busy machine attaches others late
+        "apputils-extension/notification": {"fetchNews": "false", "checkForUpdates": False},
+        "notebook-extension/tracker": {"windowingMode": "none"},
+    }
+    for name, values in settings.items():
+        file = home / f".jupyter/lab/user-settings/@jupyterlab/{name}.jupyterlab-settings"
+        file.parent.mkdir(parents=True)
+        file.write_text(json.dumps(values))
     paths = f"{ROOT}{os.pathsep}{ROOT / 'notebooks'}"
     return os.environ | {
         "HOME": str(home),

@@ -159,6 +159,7 @@ def test_widgets_in_jupyterlab(browser, lab, tmp_path):
             "() => document.querySelector('.tkc-alert').textContent.includes('kernel')"
         )
     finally:
+        print(*errors, *page.locator(".jp-OutputArea").all_inner_texts(), sep="\n")
         page.close()
 
 
