@@ -92,6 +92,12 @@ def test_characters_in_each_others_way(walk):
     assert "through" not in kinds([walk])
 
 
+def test_hands_pass_beside_the_thighs_of_those_who_limp(fast):
+    for style in ("LimpLeft", "DragRightLeg"):
+        walk = tk.runtime.rollout(fast[0], tk.runtime.straight(1.0, 6.0), style=fast[1][style])
+        assert "body" not in kinds(walk)
+
+
 def test_a_shot_is_rendered_first(fast):
     shot = tk.shots.Shot([(0.0, 0.0), (0.0, 2.0)], "Neutral")
     assert all(f.unit for f in defects(shot, fast))
