@@ -100,7 +100,8 @@ def run(
     parts: dict[str, list[Clip]] = defaultdict(list)
     for clip in takes(data):
         parts[part(clip)].append(clip)
-    for kind, joints in limits(parts["limits"]).items():
+    found_limits = limits(parts["limits"])
+    for kind, joints in found_limits.items():
         print(f'    "{kind}": {joints},')
     rows = []
     for name, clips in parts.items():
@@ -114,4 +115,5 @@ def run(
                    "any": ["seconds with an alarm, %", 1, 100], "kinds": ["seconds by kind"]}
         Result("defects", "False alarms on recorded walks, runs and turns of Bandai-Namco 1 and 2, "
                "Xia, Holden and 100STYLE; a style is in one part only.",
-               "python -m experiments defects --data DATA --store", columns, rows).save()
+               "python -m experiments defects --data DATA --store", columns, rows,
+               numbers=dict(found_limits)).save()

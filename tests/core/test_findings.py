@@ -6,7 +6,8 @@ import torch
 
 import toolkit as tk
 from experiments.defects import alarms, part, takes
-from toolkit.evaluation import defects, findings
+from experiments.tables import Result
+from toolkit.evaluation import defects, findings, table
 
 
 @pytest.fixture(scope="module")
@@ -55,15 +56,33 @@ def test_a_finding_says_where_and_when(walk):
         assert finding.excess > 1
     assert "s, " in str(found[0])
     assert "> " in str(found[0])
-    worst = [max(f.value for f in defects(damages.jumped(walk.resample(fps), 0.05))
-                 if f.kind == "pop") for fps in (60, 120)]
-    assert worst[0] == pytest.approx(worst[1], rel=0.1)  # over the same time at every rate
+    (hand,) = [f for f in defects(damages.through(walk, 1.0)) if f.joint == "left_hand and trunk"]
+    assert hand.value == pytest.approx(0.0, abs=1e-3)  # at the chest
+
+
+@pytest.mark.parametrize("kind", ["pop", "bend"])
+def test_changes_are_measured_over_the_same_time_at_every_rate(walk, kind):
+    worst = [max(float(values.nan_to_num(0.0).max()) for found, _, values, _ in
+                 findings.measured(damages.jumped(walk.resample(fps), 0.05)) if found == kind)
+             for fps in (60, 120)]
+    assert worst[0] == pytest.approx(worst[1], rel=0.1)
 
 
 def test_a_standing_body_that_glides_drifts(stand):
     for speed in (0.24, 0.5):
         assert "drift" in kinds(damages.carried(stand, speed))
     assert "drift" in kinds(damages.carried(damages.frozen(stand, 1.0), 0.3))
+    for speed, stands in ((0.2, True), (0.4, False)):  # a toe that moves shows no floor
+        assert ("floor" in kinds(damages.carried(damages.leg(stand, 0.03), speed))) == stands
+
+
+def test_a_foot_on_its_toes_is_not_flat(stand):
+    """From the first second on, so that the heels are up in most frames."""
+    points = damages.carried(stand, 0.15).global_positions.clone()
+    ankles = [stand.skeleton.role(f"{side}_foot") for side in ("left", "right")]
+    points[60:, ankles, 1] += 0.05
+    found = defects([table.Joints(points, stand.skeleton, stand.fps)])
+    assert 0.5 < max(f.end for f in found if f.kind == "slide") < 1.2
 
 
 def test_a_standing_foot_that_trembles_does_not_slide(stand):
@@ -85,11 +104,9 @@ def test_a_knee_that_bends_backwards(walk):
 def test_characters_in_each_others_way(walk):
     beside = {gap: walk.moved(shift=(gap, 0.0, 0.0)) for gap in (0.25, 0.6, 3.0)}
     assert kinds([walk, beside[3.0]], apart=0.7) == set()
-    assert kinds([walk, beside[0.6]], apart=0.7) >= {"apart"}
     (near,) = [f for f in defects([walk, beside[0.6]], apart=0.7) if f.kind == "apart"]
     assert (near.value, near.limit) == (pytest.approx(0.6, abs=1e-4), 0.7)
     assert "body" in kinds([walk, beside[0.25]])
-    assert "through" not in kinds([walk])
 
 
 def test_hands_pass_beside_the_thighs_of_those_who_limp(fast):
@@ -111,6 +128,15 @@ def test_the_published_drunk_shakes(shared):
     for style in ("Drunk", "Neutral", "Old"):
         shakes = "shake" in kinds(tk.runtime.rollout(model, command, style=bank[style]))
         assert shakes == (style == "Drunk") == (bank.labels()[style] == f"{style} (shakes)")
+
+
+def test_the_limits_are_those_that_the_stored_run_found():
+    """In three digits or in two. That of drift is ours."""
+    stored = Result.load("defects").numbers
+    for kind, joints in findings.LIMITS.items():
+        for joint, limits in joints.items() if kind != "drift" else ():
+            for limit, found in zip(limits, stored[kind][joint], strict=True):
+                assert limit in (found, float(f"{found:.2g}"))
 
 
 def test_recorded_takes_that_made_no_limit_are_seldom_alarmed(shared):
