@@ -25,7 +25,7 @@ HERE = Path(__file__).parents[1]
 GROUPS = {
     "rotations": ("motion/rotations.py", "rotations motion"),
     "ik": ("motion/ik.py", "ik runtime compiled"),
-    "contacts": ("motion/contacts.py", "contacts motion measures"),
+    "contacts": ("motion/contacts.py", "contacts motion metrics"),
     "fit": ("phases/sinusoids.py phases/variable_projection.py phases/viterbi.py phases/windows.py",
             "fit phases"),
     "features": ("features/features.py features/layout.py", "features held_out networks"),
@@ -37,7 +37,7 @@ GROUPS = {
     "measures": ("evaluation/metrics/*.py evaluation/findings.py", "metrics report findings"),
     "shots": ("extra/shots/*.py", "shots director"),
     "readers": ("io/bvh.py io/bvh_text.py extra/formats/*.py",
-                "bvh bvh_roundtrip readers inspection interpretation"),
+                "bvh bvh_roundtrip readers inspection interpretation character"),
 }
 #: Packages that the tests import, and the names of ours, which a mutant imports anew.
 HEAVY = ("torch", "numba", "scipy.optimize", "scipy.signal", "scipy.interpolate", "scipy.spatial",
@@ -65,6 +65,8 @@ EQUIVALENT = {
     ("return torch.cat((q[:1], q[1:] * (1 - 2 * apart.to(q.dtype)[..., None]).cumprod(0)))",
      "q[1:] * (1 - 2 * apart.to(q.dtype)[..., None]).cumprod(0) -> "
      "q[1:] / (1 - 2 * apart.to(q.dtype)[..., None]).cumprod(0)"): "the factor is 1 or -1",
+    ("plain: bool = True  # no mesh, camera or light: may be the tip of a bone", "True -> False"):
+        "both readers say it",
     ("for _ in range(30):", "30 -> 31"): "Newton takes at most 11 steps",
     ("lack, _ = _lack(target - hip - shifted(), hip, knee, foot)",
      "_lack(target - hip - shifted(), hip, knee, foot) -> "

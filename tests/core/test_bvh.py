@@ -154,10 +154,8 @@ Frame Time: 0.033333
     assert clip.skeleton.names == ("Hips", "Spine")
     expected = [[[0.01, 0.9, 0.02], [0.01, 1.1, 0.02]], [[0.01, 0.9, 0.09], [0.01, 1.1, 0.09]]]
     torch.testing.assert_close(clip.global_positions, torch.tensor(expected), atol=1e-6, rtol=0)
-    with pytest.raises(
-        bvh.BVHError,
-        match=r"walk\.bvh: joint Spine changes its distance to its parent by up to 5 units",
-    ):
+    said = r"walk\.bvh: joint Spine changes its distance to its parent by up to 5 units"
+    with pytest.raises(bvh.BVHError, match=said):
         load(write(tmp_path, text.replace("9 0 0 0 0 20", "9 0 0 0 0 25")))
 
 
@@ -204,51 +202,31 @@ def test_a_unit_or_order_that_no_file_can_have_is_refused(tmp_path, options, pro
 BAD = {
     "cut inside the last line": (GOOD[:-10], 21, "expected 9 numbers, got 4"),
     "cut between lines": (GOOD[: GOOD.index("2 90")], 17, "header says 3 frames, the file holds 2"),
+    "no frame": (GOOD[: GOOD.index("0 90 0 0")].replace("Frames: 3", "Frames: 0"), 17,
+        "header says 0 frames, the file holds 0"),
     "too many frames": (GOOD + "0 0 0 0 0 0 0 0 0\n", 17, "header says 3 frames, the file holds 4"),
     "frame time zero": (GOOD.replace("0.033333", "0"), 18, "frame time must be positive"),
-    "not a number": (
-        GOOD.replace("1 90 0", "1 nan 0"),
-        20,
-        "channel 2 is not a finite number: 'nan'",
-    ),
-    "a number as Python writes it": (
-        GOOD.replace("1 90 0", "1 9_0 0"),
-        20,
-        "channel 2 is not a finite number: '9_0'",
-    ),
+    "not a number": (GOOD.replace("1 90 0", "1 nan 0"), 20,
+        "channel 2 is not a finite number: 'nan'"),
+    "a number as Python writes it": (GOOD.replace("1 90 0", "1 9_0 0"), 20,
+        "channel 2 is not a finite number: '9_0'"),
     "unknown word": (GOOD.replace("JOINT Chest", "JONT Chest"), 6, "unexpected 'JONT Chest'"),
     "joint twice": (GOOD.replace("JOINT Chest", "JOINT Hips"), 6, "joint Hips appears twice"),
     "two figures": (
-        GOOD.replace("MOTION", GOOD.split("MOTION")[0].replace("HIERARCHY\n", "") + "MOTION"),
-        16,
-        "a second ROOT: the file holds several figures; keep one of them",
-    ),
-    "unknown channel": (
-        GOOD.replace("3 Zrotation", "3 Wrotation"),
-        9,
-        "CHANNELS needs its count and names",
-    ),
-    "a brace too few": (
-        GOOD.replace("}\nMOTION", "MOTION"),
-        15,
-        "MOTION inside joint 'Hips', a brace is missing",
-    ),
+        GOOD.replace("MOTION", GOOD.split("MOTION")[0].replace("HIERARCHY\n", "") + "MOTION"), 16,
+        "a second ROOT: the file holds several figures; keep one of them"),
+    "unknown channel": (GOOD.replace("3 Zrotation", "3 Wrotation"), 9,
+        "CHANNELS needs its count and names"),
+    "a brace too few": (GOOD.replace("}\nMOTION", "MOTION"), 15,
+        "MOTION inside joint 'Hips', a brace is missing"),
     "binary": (bytes(range(256)) * 20, 1, "expected HIERARCHY"),
     "a joint inside an End Site": (
-        GOOD.replace("OFFSET 0 5 0\n", "OFFSET 0 5 0\nEnd Site {\n}\n"),
-        13,
-        "unexpected End inside an End Site",
-    ),
-    "an offset that float32 cannot hold": (
-        GOOD.replace("OFFSET 0 10 0", "OFFSET 0 1e300 0"),
-        8,
-        "OFFSET needs three",
-    ),
-    "a number of frames of 5,000 digits": (
-        GOOD.replace("Frames: 3", "Frames: " + "9" * 5000),
-        17,
-        "expected 'Frames: N'",
-    ),
+        GOOD.replace("OFFSET 0 5 0\n", "OFFSET 0 5 0\nEnd Site {\n}\n"), 13,
+        "unexpected End inside an End Site"),
+    "an offset that float32 cannot hold": (GOOD.replace("OFFSET 0 10 0", "OFFSET 0 1e300 0"), 8,
+        "OFFSET needs three"),
+    "a number of frames of 5,000 digits": (GOOD.replace("Frames: 3", "Frames: " + "9" * 5000), 17,
+        "expected 'Frames: N'"),
     "binary behind the header": (GOOD.encode()[:-40] + bytes(range(256)), None, ""),
 }
 
@@ -289,8 +267,6 @@ def test_angles_that_may_be_radians_are_doubted(walk_clip, tmp_path):
     # Saved in degrees, these are the numbers of the radians.
     small = R.from_euler(angles * math.pi / 180, "YXZ")
     tk.bvh.save(walk_clip.replace(rotations=small), tmp_path / "radians.bvh")
-    with pytest.warns(
-        UserWarning,
-        match="no joint turns by more than .* degrees: if the file has radians, convert them",
-    ):
+    doubt = "no joint turns by more than .* degrees: if the file has radians, convert them"
+    with pytest.warns(UserWarning, match=doubt):
         tk.load(tmp_path / "radians.bvh")

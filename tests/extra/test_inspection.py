@@ -17,10 +17,6 @@ def walk(tmp_path):
     return path
 
 
-def run(*arguments):
-    assert main(list(arguments)) == 0
-
-
 def test_an_inspection_says_all_that_was_found(walk):
     found = tk.inspect(walk)
     assert (found.format, found.fps) == ("BVH", 60.0)
@@ -34,12 +30,8 @@ def test_an_inspection_says_all_that_was_found(walk):
     assert all(0.3 < share < 0.6 for share in found.contact.values())
     assert set(found.rules) == set(found.roles)
     said = repr(found)
-    for line in (
-        "up        z",
-        "unit      0.01 m (cm)",
-        "upright   yes",
-        "hip       thigh_l, thigh_r (name)",
-    ):
+    for line in ("up        z", "unit      0.01 m (cm)", "upright   yes",
+                 "hip       thigh_l, thigh_r (name)"):
         assert line in said
 
 
@@ -51,16 +43,18 @@ def test_a_file_that_is_no_person_is_inspected(tmp_path):
     assert math.isnan(found.height)
     assert not found.upright
     assert found.contact == {}
+    assert "found for shoulder, elbow, hand, hip, knee, foot, toe: " in found.doubts[0]
     advice = [doubt.rsplit("; ", 1)[1] for doubt in found.doubts]
     assert advice == ["roles= decides", "up= decides", "unit= decides"]
     assert "no toes" in repr(found)
 
 
 def test_the_verb_prints(walk, capsys):
-    run("inspect", str(walk))
+    assert main(["inspect", str(walk)]) == 0
     said = capsys.readouterr().out
     assert "toe       ball_l, ball_r (name)" in said
-    run("inspect", str(walk), "--unit", "inch", "--up", "z", "--roles", "left_toe=foot_l")
+    given = ["--unit", "inch", "--up", "z", "--roles", "left_toe=foot_l"]
+    assert main(["inspect", str(walk), *given]) == 0
     said = capsys.readouterr().out
     assert "unit      0.0254 m (inch)" in said
     assert "toe       foot_l, ball_r (given/name)" in said

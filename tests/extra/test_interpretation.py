@@ -21,23 +21,27 @@ def facing(clip: tk.Clip) -> float:
     return float(torch.nn.functional.cosine_similarity(forward, travel, dim=1).mean())
 
 
+def turned(clip: tk.Clip, *degrees: float) -> tk.Clip:
+    """The clip, turned about the world's x, y and z."""
+    turn = R.from_euler(torch.deg2rad(torch.tensor(degrees, dtype=torch.float32)), "XYZ")
+    rotations = torch.cat((R.multiply(turn, clip.rotations[:, :1]), clip.rotations[:, 1:]), 1)
+    return clip.replace(rotations=rotations, root_positions=R.rotate(turn, clip.root_positions))
+
+
 def written(clip: tk.Clip, path, convention: rigs.Convention) -> tk.Clip:
     """The clip as a file in the unit and with the up axis of a convention."""
-    angle = torch.pi / 2 if convention.up == "z" else 0.0
-    turn = R.from_euler(torch.tensor([angle, 0.0, 0.0]), "XYZ")
-    rotations = torch.cat((R.multiply(turn, clip.rotations[:, :1]), clip.rotations[:, 1:]), 1)
-    turned = clip.replace(rotations=rotations, root_positions=R.rotate(turn, clip.root_positions))
-    tk.bvh.save(turned, path, unit=convention.unit)
+    made = turned(clip, 90, 0, 0) if convention.up == "z" else clip
+    tk.bvh.save(made, path, unit=convention.unit)
     return clip
 
 
 # One of each kind: name spaces, prefixes, helpers, roots above the hips, z up, other units.
-@pytest.mark.parametrize(("name", "turned"), [
+@pytest.mark.parametrize(("name", "bent"), [
     ("Mixamo", True), ("CMU", False), ("Daz Genesis 8", True), ("Second Life", False),
     ("Unreal", True), ("VRM", False), ("Perception Neuron", False), ("MakeHuman", True)])
-def test_a_walk_of_each_convention_is_understood(tmp_path, name, turned):
+def test_a_walk_of_each_convention_is_understood(tmp_path, name, bent):
     convention = rigs.TABLE[name]
-    made = written(rigs.walk(name, turned), tmp_path / "walk.bvh", convention)
+    made = written(rigs.walk(name, bent), tmp_path / "walk.bvh", convention)
     found = tk.inspect(tmp_path / "walk.bvh")
     assert found.doubts == []
     assert found.roles == rigs.roles(convention)
@@ -82,18 +86,9 @@ def test_the_unit_follows_from_the_height(tmp_path):
 @pytest.mark.parametrize("up", interpretation.AXES)
 def test_the_up_axis_follows_from_the_body(tmp_path, up):
     clip, path = rigs.walk("LaFAN1", seconds=1.0), tmp_path / "walk.bvh"
-    turn = {  # degrees about x, y and z
-        "y": (0, 0, 0),
-        "-y": (180, 0, 0),
-        "z": (90, 0, 0),
-        "-z": (-90, 0, 0),
-        "x": (0, 0, -90),
-        "-x": (0, 0, 90),
-    }[up]
-    turn = R.from_euler(torch.deg2rad(torch.tensor(turn, dtype=torch.float32)), "XYZ")
-    rotations = torch.cat((R.multiply(turn, clip.rotations[:, :1]), clip.rotations[:, 1:]), 1)
-    positions = R.rotate(turn, clip.root_positions)
-    tk.bvh.save(clip.replace(rotations=rotations, root_positions=positions), path)
+    angles = {"y": (0, 0, 0), "-y": (180, 0, 0), "z": (90, 0, 0), "-z": (-90, 0, 0),
+              "x": (0, 0, -90), "-x": (0, 0, 90)}
+    tk.bvh.save(turned(clip, *angles[up]), path)
     found = tk.inspect(path)
     assert (found.up, len(found.doubts)) == (up, len(up) - 1)
     assert all(f"stands along {up}, or is upside down" in said for said in found.doubts)
@@ -116,7 +111,6 @@ def test_what_is_not_safe_is_said(tmp_path):
         tk.bvh.save(changed, path)
         with pytest.warns(UserWarning, match=doubt):
             tk.load(path)
-        assert any(re.search(doubt, said) for said in tk.inspect(path).doubts)
     tk.bvh.save(clip, path)
     path.write_text(path.read_text().replace("Frame Time: 0.01666667", "Frame Time: 16.6667"))
     with pytest.warns(UserWarning, match="16.6667 s was taken for milliseconds: 60 Hz"):
@@ -129,10 +123,8 @@ def test_roles_unit_and_up_that_do_not_fit_are_refused(tmp_path):
     for options, problem in (
         ({"roles": {"left_wing": "LeftArm"}}, "'left_wing' is no role; the roles are hips"),
         ({"roles": {"left_hand": "LeftPaw"}}, "no joint 'LeftPaw' for the role left_hand"),
-        (
-            {"roles": {"left_knee": "LeftFoot"}},
-            r"left_foot \(LeftFoot\) is not below left_knee \(LeftFoot\)",
-        ),
+        ({"roles": {"left_knee": "LeftFoot"}},
+         r"left_foot \(LeftFoot\) is not below left_knee \(LeftFoot\)"),
         ({"unit": 0.0}, "unit is metres of one unit"),
         ({"unit": "parsec"}, "auto, m, cm"),
         ({"up": "w"}, "one of auto, x"),
@@ -148,38 +140,33 @@ def test_roles_unit_and_up_that_do_not_fit_are_refused(tmp_path):
 def test_sides_that_are_exchanged_are_noticed(tmp_path):
     """As by a program whose axes are left-handed."""
     clip = rigs.walk("LaFAN1", seconds=1.0)
-    names = [
-        joint.replace("Left", "?").replace("Right", "Left").replace("?", "Right")
-        for joint in clip.skeleton.names
-    ]
+    names = [joint.replace("Left", "?").replace("Right", "Left").replace("?", "Right")
+             for joint in clip.skeleton.names]
     exchanged = tk.Skeleton(names, clip.skeleton.parents, clip.skeleton.offsets)
     tk.bvh.save(clip.replace(skeleton=exchanged), tmp_path / "walk.bvh")
-    with pytest.warns(UserWarning, match="joints called left are on the right of the body"):
+    with pytest.warns(UserWarning, match="called left are on the right of the body") as caught:
         tk.load(tmp_path / "walk.bvh")
+    assert caught[0].filename == __file__  # the user's line
 
 
-@pytest.mark.parametrize(
-    ("between", "role"), [("Thigh", "hip"), ("Thigh2", "hip"), ("Knee1", "knee")]
-)
+@pytest.mark.parametrize(("between", "role"),
+                         [("Thigh", "hip"), ("Thigh2", "hip"), ("Knee1", "knee")])
 def test_a_joint_more_in_the_thigh_takes_no_role_and_is_said(tmp_path, walk_clip, between, role):
     """Its name fits better than that of the right joint.
 
     Both parts of a person's leg are about equally long.
     """
     old = walk_clip.skeleton
-    names, parents, offsets, of = [], [], [], []  # of: the old joint
+    rows, place = [], {-1: -1}  # name, parent, offset and old joint of each; where old joints are
     for j, name in enumerate(old.names):
-        above = names.index(old.names[old.parents[j]]) if j else -1
+        above, offset = place[old.parents[j]], old.offsets[j]
         if name.endswith("Knee"):
-            names.append(name.replace("Knee", between))
-            parents.append(above)
-            offsets.append(old.offsets[j] / 2)
-            of.append(-1)
-            above = len(names) - 1
-        names.append(name)
-        parents.append(above)
-        offsets.append(old.offsets[j] / (2 if name.endswith("Knee") else 1))
-        of.append(j)
+            offset = offset / 2
+            rows.append((name.replace("Knee", between), above, offset, -1))
+            above = len(rows) - 1
+        place[j] = len(rows)
+        rows.append((name, above, offset, j))
+    names, parents, offsets, of = zip(*rows, strict=True)
     rotations = torch.cat((walk_clip.rotations, R.identity(len(walk_clip), 1)), 1)[:, of]
     skeleton = tk.Skeleton(names, parents, torch.stack(offsets), old.roles)
     tk.bvh.save(walk_clip.replace(skeleton=skeleton, rotations=rotations), tmp_path / "more.bvh")
@@ -209,56 +196,38 @@ def test_jumps_and_contacts_that_cannot_be_true_are_doubted(tmp_path, walk_clip)
     jump[0] += torch.tensor([5.0, 0.0, 0.0])  # as of a T-pose before the recording
     said = doubts_of(walk_clip.replace(root_positions=jump), tmp_path)
     assert re.search("the body jumps by [45].* m from frame 0 to 1", said)
-    slow = doubts_of(walk_clip.replace(fps=6.0), tmp_path)
+    slow = doubts_of(walk_clip.replace(fps=8.0), tmp_path)
     assert re.search(r"the body goes \d+ m, and its feet hardly move", slow)
     statue = walk_clip.replace(rotations=walk_clip.rotations[:1].expand_as(walk_clip.rotations))
     assert re.search(r"the body goes \d+ m, and no foot ever stands", doubts_of(statue, tmp_path))
 
 
 def test_a_walker_that_lies_or_stands_on_its_head_is_doubted(tmp_path, walk_clip):
-    def turned(*angles: float) -> tk.Clip:
-        turn = R.from_euler(torch.deg2rad(torch.tensor(angles)), "XYZ")
-        first = R.multiply(turn, walk_clip.rotations[:, :1])
-        roots = R.rotate(turn, walk_clip.root_positions) + torch.tensor([0.0, 1.0, 0.0])
-        return walk_clip.replace(rotations=torch.cat((first, walk_clip.rotations[:, 1:]), 1),
-                                 root_positions=roots)
-
-    assert "upside down: -y is taken; up= decides" in doubts_of(turned(180.0, 0.0, 0.0), tmp_path)
+    walk = walk_clip.cut(0, 180)  # a way of two and a half legs
+    up, right, odd, lower = (turned(walk, angle, 0, 0).moved(shift=(0, 1, 0))
+                             for angle in (180, 90, 45, 75))
+    assert "upside down: -y is taken; up= decides" in doubts_of(up, tmp_path)
     for height, said in ((0.0, "stands along z or lies with y up"), (1.0, "goes along z, .* lie")):
-        roots = walk_clip.root_positions + torch.tensor([0.0, height, 0.0])
-        lying = turned(90.0, 0.0, 0.0).replace(root_positions=roots)
+        lying = right.replace(root_positions=walk.moved(shift=(0, height, 0)).root_positions)
         assert re.search(said, doubts_of(lying, tmp_path))
-    assert "not upright in most frames: y is" in doubts_of(turned(45.0, 0.0, 0.0), tmp_path)
-    doubts_of(turned(75.0, 0.0, 0.0), tmp_path)
+    assert "not upright in most frames: y is" in doubts_of(odd, tmp_path)
+    doubts_of(lower, tmp_path)
     assert not tk.inspect(tmp_path / "walk.bvh", up="y").upright
 
 
 def recorded(clip: tk.Clip, **changes) -> Recording:
     skeleton = clip.skeleton
-    made = Recording(
-        "glTF",
-        skeleton.names,
-        skeleton.parents,
-        skeleton.offsets.double(),
-        clip.rotations,
-        clip.root_positions.double(),
-        60.0,
-        tuple(skeleton.ends),
-        unit=1.0,
-        up="y",
-    )
+    made = Recording("glTF", skeleton.names, skeleton.parents, skeleton.offsets.double(),
+                     clip.rotations, clip.root_positions.double(), 60.0, tuple(skeleton.ends),
+                     unit=1.0, up="y")
     return dataclasses.replace(made, **changes)
 
 
 def test_roles_that_a_file_states_count_more_than_names():
     """The forearm stated as the elbow; a role that there is not is left out."""
     clip = rigs.walk("LaFAN1", seconds=0.5)
-    stated = {
-        "left_hand": "LeftForeArm",
-        "left_elbow": "LeftArm",
-        "left_shoulder": "LeftShoulder",
-        "tail": "Spine",
-    }
+    stated = {"left_hand": "LeftForeArm", "left_elbow": "LeftArm", "left_shoulder": "LeftShoulder",
+              "tail": "Spine"}
     made, found = interpretation.interpret(recorded(clip, roles=stated), Path("a.vrm"))
     assert made.skeleton.roles["left_hand"] == "LeftForeArm"
     assert (found.rules["left_hand"], found.rules["right_hand"]) == ("the file", "name")
@@ -267,16 +236,12 @@ def test_roles_that_a_file_states_count_more_than_names():
 
 def test_a_unit_that_the_file_states_is_taken_where_it_fits_people():
     clip = rigs.walk("LaFAN1", seconds=0.5)
-    right, wrong = (
-        interpretation.interpret(recorded(clip, unit=unit), Path("a.glb"))[1]
-        for unit in (1.0, 0.1)
-    )
+    right, wrong = (interpretation.interpret(recorded(clip, unit=unit), Path("a.glb"))[1]
+                    for unit in (1.0, 0.1))
     assert (right.unit, right.doubts) == (1.0, [])
     assert wrong.unit == 1.0
-    doubt = (
-        r"in the file's unit, 0\.1 m \(dm\), the body is 0\.17\d m tall: "
-        r"1 m \(m\) is assumed; .*"
-    )
+    doubt = (r"in the file's unit, 0\.1 m \(dm\), the body is 0\.17\d m tall: "
+             r"1 m \(m\) is assumed; .*")
     assert re.fullmatch(doubt, *wrong.doubts)
 
 
