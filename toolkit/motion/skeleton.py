@@ -194,8 +194,11 @@ class Skeleton:
     def neck(self) -> list[int]:
         """Joints from the chest to the head; the chest alone where no head is known."""
         chest = self.trunk[0]
-        called = (j for j, name in enumerate(self.names)
-                  if name.lower().endswith("head") and chest in self.ancestors(j))
+        below = {chest}
+        for j, parent in enumerate(self.parents):
+            if parent in below:
+                below.add(j)
+        called = (j for j in sorted(below - {chest}) if self.names[j].lower().endswith("head"))
         head = next(called, chest)
         above = [head, *self.ancestors(head)]
         return above[: above.index(chest) + 1][::-1]

@@ -7,7 +7,7 @@ result. `pruned` leaves out what a model of locomotion does not need: fingers, f
 clothes and props.
 """
 
-from collections import Counter
+from collections import Counter, defaultdict
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import pairwise
@@ -261,41 +261,46 @@ def pruned(clip: Clip) -> Clip:
     stays in place to within `RIGID`.
     """
     old = clip.skeleton
-    kept = body_joints(old)
+    body = body_joints(old)
     roles, places, turned = set(old.roles.values()), clip.global_positions, clip.global_rotations
 
     # Joints without a role between two parts of a limb, or called a twist bone
-    split = {j for j in kept if any(word in old.names[j].lower() for word in TWIST)}
+    split = {j for j in body if any(word in old.names[j].lower() for word in TWIST)}
     for side in SIDES:
         for upper, lower in BONES:
             start = old.role(f"{side}_{upper}")
             path = old.ancestors(old.role(f"{side}_{lower}"))
-            split |= {j for j in path if start in old.ancestors(j)}
-    for joint in [j for j in kept if j in split and old.names[j] not in roles]:
-        below = [j for j in kept if _above(old, j, kept) == joint]
-        above = _above(old, joint, kept)
+            split |= set(path[: path.index(start)] if start in path else ())
+
+    # The parent of each joint that is kept, and their children
+    parents, children = {}, defaultdict(list)
+    for j in body:
+        above = old.parents[j]
+        while above >= 0 and above not in parents:
+            above = old.parents[above]
+        parents[j] = above
+        children[above].append(j)
+    for joint in [j for j in body if j in split and old.names[j] not in roles]:
+        above, below = parents[joint], children[joint]
         if above >= 0 and below:
             apart = places[:, below] - places[:, above, None]
             local = R.rotate(R.inverse(turned[:, above, None]), apart)
             if float((local - local.mean(0)).norm(dim=-1).amax()) < RIGID:
-                kept.remove(joint)
-    if len(kept) == len(old):
+                del parents[joint]
+                parents |= dict.fromkeys(below, above)
+                children[above] += below
+    if len(parents) == len(old):
         return clip
+    kept, place = list(parents), {j: i for i, j in enumerate(parents)}
 
-    parents = [_above(old, j, kept) for j in kept]
     offsets = old.offsets[kept].clone()
-    for i, (joint, parent) in enumerate(zip(kept, parents, strict=True)):
+    for i, (joint, parent) in enumerate(parents.items()):
         if parent != old.parents[joint] and parent >= 0:  # over a joint that was left out
             apart = places[:, joint] - places[:, parent]
             offsets[i] = R.rotate(R.inverse(turned[:, parent]), apart).mean(0).float().cpu()
     names = [old.names[j] for j in kept]
-    skeleton = Skeleton(names, [kept.index(p) if p >= 0 else -1 for p in parents], offsets,
+    skeleton = Skeleton(names, [place.get(p, -1) for p in parents.values()], offsets,
                         {role: name for role, name in old.roles.items() if name in names},
                         [name for name in old.ends if name in names])
     rotations = R.unroll(local_rotations(skeleton, turned[:, kept]))
     return clip.replace(skeleton=skeleton, rotations=rotations, root_positions=places[:, kept[0]])
-
-
-def _above(skeleton: Skeleton, joint: int, kept: list[int]) -> int:
-    """The nearest ancestor of a joint that is kept; -1 for none."""
-    return next((j for j in skeleton.ancestors(joint) if j in kept), -1)
