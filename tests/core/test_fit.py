@@ -11,7 +11,7 @@ from scipy.optimize import least_squares
 
 import toolkit as tk
 from toolkit.phases.sinusoids import Sinusoids, fit
-from toolkit.phases.variable_projection import _level, minima
+from toolkit.phases.variable_projection import _in_ball, _level, minima
 from toolkit.phases.viterbi import smoothest
 
 FPS = 60.0
@@ -122,6 +122,12 @@ def test_the_sinusoid_is_what_it_says_and_within_its_bounds(walk_clip):
         held["offset"] += away < 1e-12 * scale
         held["frequency"] += found.frequency in (0.25, 4.0)
     assert min(held.values()) >= 2  # every bound is put to the test
+
+
+def test_both_numbers_in_a_ball_have_the_same_multiplier():
+    u, v = _in_ball(3.0, 1.0, 2.0, 0.5, 0.7)
+    assert math.hypot(u, v) == pytest.approx(0.7)
+    assert 3.0 / u - 2.0 == pytest.approx(1.0 / v - 0.5)
 
 
 def test_compiled_loops_stay_within_their_arrays():
