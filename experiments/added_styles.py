@@ -20,7 +20,7 @@ from toolkit.motion import Clip
 from toolkit.training import Run
 from toolkit.view import strip
 
-STEPS = 150
+STEPS = styles.fine_tuning.STEPS
 ABOUT = "Styles learnt from one walking clip each, by their walk beside the clip."
 COMMAND = ("python -m experiments added-styles --root DATA [--fresh] [--kinds PART] "
            "[--model examples/models/recorded.safetensors] --store")
@@ -36,9 +36,8 @@ CHOSE = ("xia/neutral_01_000", "xia/sexy_01_000", "xia/strutting_01_000",
          "foreign/pybvh__cmu_12_01_walk", "foreign/animateddrawings__zombie",
          "pfnn/LocomotionFlat04_000", "100style/Neutral_FW")
 #: Styles that the pictures show as half of the clip's, though the verdict is good.
-HALF = ("recorded: 5yr_old/running", "recorded: cmu_new/walk_sway",
-        "recorded: cmu_1006/running001", "recorded: cmu_new/walk_raise_the_roof",
-        "recorded: cmu_new/walk_side_point2_", "procedural: 5yr_old/walking",
+HALF = ("recorded: cmu_new/walk_clap", "recorded: cmu_new/walk_raise_the_roof",
+        "recorded: cmu_new/walk_side_point2_", "recorded: cmu_new/walk_side_punch",
         "procedural: foreign/pymo__AV_8Walk_Meredith_HVHA_Rep1",
         "procedural: cmu_1006/running001", "procedural: cmu_1006/walking001")
 
