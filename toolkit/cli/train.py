@@ -40,7 +40,8 @@ def train(
     model: Annotated[str, typer.Option(
         help=f"One of {', '.join(networks.MODELS)}; or MODULE:NAME, a model of your own that a "
              "module or a Python file registers.")] = "lpn-film",
-    minutes: Annotated[float | None, typer.Option(help="Time budget of the training.")] = None,
+    minutes: Annotated[float | None, typer.Option(
+        min=0, help="Time budget of the training.")] = None,
     epochs: Annotated[float | None, typer.Option(
         help="Passes over the shortest style; 90 in the paper.")] = None,
     patience: Annotated[int | None, typer.Option(

@@ -30,7 +30,7 @@ def train_stylizer(
     iterations: Annotated[int | None, typer.Option(
         help="By default the paper's 100,000; 2,000 with --small.")] = None,
     minutes: Annotated[float | None, typer.Option(
-        help="Train for this time; the rates decay over it.")] = None,
+        min=0, help="Train for this time; the rates decay over it.")] = None,
     small: Annotated[bool, typer.Option(
         "--small", help="Small networks and fast settings, for a processor.")] = False,
     mirror: Annotated[bool, typer.Option(help="Add mirror images, as the paper does.")] = True,
