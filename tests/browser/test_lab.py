@@ -54,7 +54,7 @@ desk
 charts.style_space(points, planted.names, title={COMMENT!r})
 """,
     """
-control = tk.view.Controller(model, planted)  # last: a controller's frames take the kernel's time
+control = tk.view.Controller(model, planted, size=(240, 180))  # last: a controller's frames take the kernel's time
 control
 """,
     """
@@ -62,7 +62,7 @@ pack = tk.view.Controller.send  # a second one, as of a model with one phase for
 def send(self, content, buffers=None):
     pack(self, content, buffers and [buffers[0][:-28] if self is other else buffers[0]])
 tk.view.Controller.send, other = send, None
-other = tk.view.Controller(model, planted)
+other = tk.view.Controller(model, planted, size=(240, 180))
 other
 """,
     """
@@ -85,6 +85,18 @@ RUN = """async () => {
     const outputs = content.widgets.flatMap((cell) => cell.model.outputs?.toJSON() ?? []);
     const error = outputs.find((output) => output.output_type === "error");
     return error ? `${error.ename}: ${error.evalue}` : done ? "" : "not all ran";
+}"""
+# The centres of elements, as soon as these have not moved for 30 frames.
+AT_REST = """async (elements) => {
+    for (let places, now, frames = 0; ; places = now) {
+        now = elements.map((element) => {
+            const { x, y, width, height } = element.getBoundingClientRect();
+            return [x + width / 2, y + height / 2];
+        });
+        frames = String(now) === String(places) ? frames + 1 : 0;
+        if (frames === 30) return now;
+        await new Promise(requestAnimationFrame);
+    }
 }"""
 CLEAR = "(i) => jupyterapp.shell.currentWidget.content.widgets[i].model.outputs.clear()"
 
@@ -209,27 +221,17 @@ def styles_are_picked(page) -> None:
     points = page.locator(".tk-style-map .scatterlayer .points path")
     points.first.wait_for()
     assert points.count() == 4
+    page.locator(".tk-style-map").scroll_into_view_if_needed()
+    where = page.evaluate(AT_REST, points.element_handles())
     hover = "document.querySelector('.tk-style-map .hoverlayer').textContent"
-    played = page.locator(".tkv-label", has_text="Zombie").first
-    for attempt in range(5):  # a page that still lays out its cells moves the map under the mouse
-        page.locator(".tk-style-map").scroll_into_view_if_needed()
-        boxes = [point.bounding_box() for point in points.all()]
-        where = [(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2) for box in boxes]
-        try:
-            page.mouse.move(where[1][0] - 9, where[1][1])
-            page.mouse.move(*where[1])
-            page.wait_for_function(f"() => {hover}.includes('Zombie')", timeout=15_000)
-            page.mouse.click(*where[1])
-            played.wait_for(timeout=15_000)
-            break
-        except playwright.TimeoutError:
-            if attempt == 4:
-                raise
-    place = """(x) => {
-        const ring = document.querySelectorAll('.tk-style-map > div')[1].getBoundingClientRect();
-        return Math.abs(ring.x + ring.width / 2 - x) < 2;
-    }"""
-    page.wait_for_function(place, arg=where[1][0])
+    page.mouse.move(where[1][0] - 9, where[1][1])
+    page.mouse.move(*where[1])
+    page.wait_for_function(f"() => {hover}.includes('Zombie')")
+    page.mouse.click(*where[1])
+    page.locator(".tkv-label", has_text="Zombie").first.wait_for()
+    ring, *where = page.evaluate(AT_REST, [
+        page.query_selector(".tk-style-map > div:nth-child(2)"), *points.element_handles()])
+    assert ring == pytest.approx(where[1], abs=2)
     drag(page, where[1], ((where[0][0] + where[1][0]) / 2, where[0][1]))
     page.locator(".tkv-label", has_text="between").first.wait_for()
     page.mouse.click(*where[2])

@@ -12,7 +12,9 @@ from collections.abc import Iterator
 from importlib import resources
 from typing import Any, ClassVar
 
+import anywidget
 import ipywidgets as widgets
+import traitlets
 from IPython.display import HTML, display
 
 from toolkit.motion.text import printable
@@ -88,6 +90,22 @@ class CellWidget(widgets.Widget):
         for part in _parts(self):
             part.close()
         super().close()
+
+
+class SceneWidget(CellWidget, anywidget.AnyWidget):
+    """A widget that the code of the scene draws."""
+
+    # anywidget gives a module two seconds to load, on a busy machine too few for the scene. So it
+    # is loaded when the first of such widgets is drawn, and once for a page.
+    _esm = """const scenes = (globalThis.toolkitScenes ??= {});
+export default {
+  async render({ model, el }) {
+    const code = model.get("code"), type = "text/javascript";
+    scenes[code] ??= import(URL.createObjectURL(new Blob([code], { type })));
+    return (await scenes[code]).default.render({ model, el });
+  },
+};"""
+    code = traitlets.Unicode(static("scene.js")).tag(sync=True)
 
 
 def _parts(widget: widgets.Widget) -> Iterator[widgets.Widget]:

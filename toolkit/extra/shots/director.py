@@ -10,7 +10,6 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-import anywidget
 import traitlets
 
 from toolkit.extra import shots
@@ -26,14 +25,14 @@ from toolkit.extra.shots import (
 )
 from toolkit.io.save import figure_of
 from toolkit.motion import Clip
-from toolkit.view.frontend import CellWidget, static
+from toolkit.view.frontend import SceneWidget
 from toolkit.view.pages import live_page, page
 from toolkit.view.render.skin import Character, Figure
 
 START = (0, 0), (0.6, 2), (-0.6, 4), (0, 6)  # the path of the first shot
 
 
-class Director(CellWidget, anywidget.AnyWidget):
+class Director(SceneWidget):
     """A desk for shots: draw and drag the path, key styles, speeds and pauses, see the character
     walk it at once.
 
@@ -57,7 +56,6 @@ class Director(CellWidget, anywidget.AnyWidget):
         The same as data, as a file holds it: a trait that can be observed.
     """
 
-    _esm = static("scene.js")
     data = traitlets.Dict().tag(sync=True)
     scene = traitlets.Dict().tag(sync=True)
     height = traitlets.Int(760, min=300).tag(sync=True)

@@ -20,7 +20,7 @@ from toolkit.io.save import figure_of
 from toolkit.motion import Clip, trajectory
 from toolkit.runtime import FPS, Command
 from toolkit.runtime.life import alive
-from toolkit.view.frontend import CellWidget, running_loop, static
+from toolkit.view.frontend import SceneWidget, running_loop
 from toolkit.view.pages.live_page import EASE, RUN, TURN, example, gate, ordered
 from toolkit.view.pages.page import skeleton_data
 from toolkit.view.render.skin import Character
@@ -30,7 +30,7 @@ KEPT = 600.0  # seconds of a recording, 16 MB
 PATIENCE = 2.0  # seconds without a message from the page after which the character waits
 
 
-class Controller(CellWidget, Corners):
+class Controller(SceneWidget, Corners):
     """A character under control: keys W A S D walk, Q E turn, Shift runs; a stick, a gamepad; a
     triangle of three styles.
 
@@ -62,7 +62,6 @@ class Controller(CellWidget, Corners):
         recording.
     """
 
-    _esm = static("scene.js")
     skeleton, gate = traitlets.Dict().tag(sync=True), traitlets.Dict().tag(sync=True)
     styles = traitlets.List(traitlets.Unicode()).tag(sync=True)
     labels = traitlets.Dict().tag(sync=True)

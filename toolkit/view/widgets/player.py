@@ -2,13 +2,12 @@
 
 from collections.abc import Sequence
 
-import anywidget
 import traitlets
 from matplotlib.figure import Figure
 
 from toolkit.io.save import figure_of
 from toolkit.motion import Clip
-from toolkit.view.frontend import CellWidget, in_notebook, static
+from toolkit.view.frontend import SceneWidget, in_notebook
 from toolkit.view.pages.page import pack
 from toolkit.view.render.picture import strip
 from toolkit.view.render.skin import Character
@@ -41,7 +40,7 @@ def play(clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None, c
     return Player(clips, labels=labels, contacts=contacts, character=character)
 
 
-class Player(CellWidget, anywidget.AnyWidget):
+class Player(SceneWidget):
     """Clips side by side, with a bar for time, speed and what is drawn; drag turns the camera.
 
     The parameters are those of `play`, and ``size``, width and height of the picture in pixels.
@@ -54,7 +53,6 @@ class Player(CellWidget, anywidget.AnyWidget):
         Whether they play; can be set and observed.
     """
 
-    _esm = static("scene.js")
     skeletons = traitlets.List(traitlets.Dict()).tag(sync=True)
     clips = traitlets.List(traitlets.Dict()).tag(sync=True)
     size = traitlets.List(traitlets.Int()).tag(sync=True)
