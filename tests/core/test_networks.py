@@ -1,10 +1,10 @@
 import dataclasses
 import json
 
-import numpy as np
 import pytest
 import torch
 from safetensors.torch import load_file, save_file
+from torch.nn import functional
 
 from toolkit import networks
 from toolkit.features import Layout, Normaliser
@@ -75,30 +75,23 @@ def test_film_equation(layer):
     f, style = torch.randn(3, 16).double(), torch.randn(3, 64).double()
     got = Film(16, None)(layer, f, style)
     for n in range(3):
-        gamma1, beta1, gamma2, beta2 = style[n].numpy().reshape(4, 16)
-        gamma, beta = ((gamma1, beta1), (gamma2, beta2))[layer]
-        row = f[n].numpy()
-        a = gamma * (row - row.mean()) / (row.std(ddof=1) + 1e-6) + beta
-        np.testing.assert_allclose(got[n], np.where(a > 0, a, np.expm1(a)), rtol=1e-12, atol=1e-14)
+        gamma, beta = style[n].view(2, 2, 16)[layer]
+        a = gamma * (f[n] - f[n].mean()) / (f[n].std(correction=1) + 1e-6) + beta
+        torch.testing.assert_close(got[n], functional.elu(a), rtol=1e-12, atol=1e-14)
 
 
-def test_generator_equals_a_slow_loop():
+def test_generator_is_two_pooled_convolutions_and_two_dense_layers():
     torch.manual_seed(3)
     psi = FilmGenerator(6, 20, 4, 3, 5, 7, 0.3).double().eval()
     clip = torch.randn(1, 20, 6).double()
-
-    def convolve_and_pool(h, layer):
-        padded = np.pad(h, ((2, 2), (0, 0)))
-        w, b = layer.weight.detach().numpy(), layer.bias.detach().numpy()
-        rows = np.array([[(padded[t : t + 5] * w[c].T).sum() + b[c] for c in range(len(b))]
-                         for t in range(len(h))])
-        return np.maximum(rows, 0).reshape(len(h) // 2, 2, -1).max(1)
-
-    h = convolve_and_pool(clip[0].numpy(), psi.first)
-    h = convolve_and_pool(h, psi.second).ravel()  # time-major
-    h = np.maximum(psi.dense.weight.detach().numpy() @ h + psi.dense.bias.detach().numpy(), 0)
-    expected = psi.out.weight.detach().numpy() @ h + psi.out.bias.detach().numpy()
-    np.testing.assert_allclose(psi(clip)[0].detach(), expected, rtol=1e-11, atol=1e-13)
+    h = clip.mT
+    for layer in (psi.first, psi.second):
+        h = functional.conv1d(h, layer.weight, layer.bias, padding=2).relu()
+        h = functional.max_pool1d(h, 2)
+    h = h[0].T.flatten()  # time-major
+    h = (psi.dense.weight @ h + psi.dense.bias).relu()
+    expected = psi.out.weight @ h + psi.out.bias
+    torch.testing.assert_close(psi(clip)[0], expected, rtol=1e-11, atol=1e-13)
 
 
 def test_dropout_acts_on_every_layers_input_only_in_training():
@@ -197,10 +190,10 @@ def load(path):
 
 
 def test_the_same_content_in_another_order_gives_the_same_bytes(tmp_path):
-    parts = {"model": {"name": "a"}, "bank": ["b"], "run": 1}
-    for name, some in (("one", parts), ("two", dict(reversed(parts.items())))):
-        model_files.write(tmp_path / name, {"model.x": torch.zeros(2)}, some)
-    assert (tmp_path / "one").read_bytes() == (tmp_path / "two").read_bytes()
+    parts, one, two = {"model": {}, "bank": ["b"], "run": 1}, tmp_path / "one", tmp_path / "two"
+    model_files.write(one, {"model.x": torch.zeros(2)}, parts)
+    model_files.write(two, {"model.x": torch.zeros(2)}, dict(reversed(parts.items())))
+    assert one.read_bytes() == two.read_bytes()
 
 
 def test_bad_model_files_are_one_line(tmp_path):
@@ -245,9 +238,9 @@ def test_each_model_predicts_learns_and_is_stored(name, tmp_path):
 
     # every parameter learns
     phases, z = model.observe(torch.randn(3, 8), torch.randn(3, tree(4).n_outputs))
-    adam = torch.optim.Adam(model.parameters(), 3e-3)
+    adam = torch.optim.Adam(model.parameters(), 1e-2)
     losses = []
-    for _ in range(60):
+    for _ in range(20):
         torch.manual_seed(5)  # the same dropout
         error = (model(x, phases, model.encode(clips[:1], 1)) - z).square().mean()
         adam.zero_grad()
@@ -263,8 +256,7 @@ def test_each_model_predicts_learns_and_is_stored(name, tmp_path):
     again = load(tmp_path / "m.safetensors")
     assert torch.equal(again.predict(x, p, s), model.predict(x, p, s))
     assert torch.equal(again.style_vector(clips, 1), model.style_vector(clips, 1))
-    assert (again.name, again.layout, again.sizes) == (name, model.layout, TINY)
-    assert again.n_styles == 2
+    assert (again.name, again.layout, again.sizes, again.n_styles) == (name, model.layout, TINY, 2)
     assert not again.training
     assert all(v.requires_grad for v in again.parameters())
     store(model, tmp_path / "slim.safetensors", generator=False)
@@ -283,14 +275,14 @@ def test_a_calibrated_model_computes_the_mean_over_dropout():
     x, gates = torch.randn(1, 40), torch.tensor([[0.3, 0.7]])
     q = 0.3 / 0.7
     with torch.no_grad():
-        f = layer(torch.nn.functional.dropout(x.expand(n, -1), 0.3), gates.expand(n, -1))
+        f = layer(functional.dropout(x.expand(n, -1), 0.3), gates.expand(n, -1))
         variance = q * layer.scatter(x, gates)
         torch.testing.assert_close(f.var(0), variance[0], rtol=0.05, atol=0)
         mean = layer(x, gates)
         gamma, beta = style[:6], style[6:12]
         scale = (mean.var(-1) + variance.mean(-1)).sqrt() + 1e-6
         normal = mean + torch.randn(n, 6) * variance.sqrt()
-        slow = torch.nn.functional.elu(gamma * (normal - mean.mean()) / scale + beta).mean(0)
+        slow = functional.elu(gamma * (normal - mean.mean()) / scale + beta).mean(0)
         torch.testing.assert_close(film.expected(0, mean, style, variance)[0], slow, rtol=0.05,
                                    atol=0.02)
     model = tiny_model()
@@ -305,11 +297,10 @@ def test_a_calibrated_model_computes_the_mean_over_dropout():
 
 def test_weights_start_in_their_ranges_and_gates_are_a_convex_blend():
     layer, gating = BlendedLinear(8, 30, 20), Gating(8, 32, 8, 0.3).eval()
-    bound = (6 / (30 * 20)) ** 0.5
-    assert 0.98 * bound < float(layer.weight.detach().abs().max()) <= bound
-    for dense in gating.layers:
-        bound = (6 / sum(dense.weight.shape)) ** 0.5
-        assert 0.9 * bound < float(dense.weight.detach().abs().max()) <= bound
+    bounds = {layer: 30 * 20} | {dense: sum(dense.weight.shape) for dense in gating.layers}
+    for part, size in bounds.items():
+        share = float(part.weight.detach().abs().max()) / (6 / size) ** 0.5
+        assert (0.98 if part is layer else 0.9) < share <= 1
     gates = gating(torch.randn(100, 8))
     assert bool((gates >= 0).all())
     torch.testing.assert_close(gates.sum(-1), torch.ones(100))
