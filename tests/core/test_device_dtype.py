@@ -67,7 +67,7 @@ def motion(m: Material) -> list:
 
 def walking(m: Material) -> list:
     command = runtime.Command((0.0, 1.0), (1.0, 0.0))
-    ways = runtime.straight(1.0, 0.05)
+    ways = [command]
     return [
         runtime.start(m.model, m.style, position=[1, 2]), runtime.step(m.model, m.state, command),
         runtime.pose(m.model, m.state), runtime.record(m.model, [m.state, m.state]),

@@ -3,6 +3,7 @@
 import dataclasses
 import math
 
+import numpy as np
 import pytest
 import torch
 
@@ -32,38 +33,30 @@ def test_widths_are_the_papers(walk_clip):
     assert style_clips(walk_clip).shape[1:] == (240, 300)
 
 
-def test_rows_against_a_slow_loop(walk_clip):
+def test_rows_are_positions_and_velocities_in_the_root_frame(walk_clip):
     rows = frames(walk_clip)
     layout, roots = Layout(walk_clip.skeleton), root_frames(walk_clip)
     position = walk_clip.global_positions[:, list(walk_clip.skeleton.feature_joints)]
     for row in (0, len(rows.index) // 2, len(rows.index) - 1):
         t = int(rows.index[row])
         angle = 2 * math.atan2(float(roots.rotations[t, 2]), float(roots.rotations[t, 0]))
-
-        def local(v, angle=angle):
-            x, y, z = v.tolist()
-            c, s = math.cos(angle), math.sin(angle)
-            return [x * c - z * s, y, x * s + z * c]
-
-        x_joints = split_joints(rows.inputs[row, layout.inputs["joints"]])
-        z_joints = split_joints(rows.outputs[row, layout.outputs["joints"]])
-        x_window = rows.inputs[row, layout.inputs["trajectory"]].view(12, 4)
-        z_window = rows.outputs[row, layout.outputs["trajectory"]].view(6, 4)
-        for j in (0, 6, 11, 20):
-            here = local(position[t, j] - roots.positions[t])
-            assert x_joints["position"][j].tolist() == pytest.approx(here, abs=1e-4)
-            velocity = (position[t, j] - position[t - 1, j]) * 60
-            assert x_joints["velocity"][j].tolist() == pytest.approx(local(velocity), abs=1e-3)
-            # the next frame, seen from this one
-            ahead = local(position[t + 1, j] - roots.positions[t])
-            assert z_joints["position"][j].tolist() == pytest.approx(ahead, abs=1e-4)
-        for i, offset in enumerate(range(-60, 60, 10)):
-            ax, _, az = local(roots.positions[t + offset] - roots.positions[t])
-            assert x_window[i, :2].tolist() == pytest.approx([ax, az], abs=1e-4)
-        for i, offset in enumerate(range(1, 61, 10)):
-            ax, _, az = local(roots.positions[t + offset] - roots.positions[t])
-            assert z_window[i, :2].tolist() == pytest.approx([ax, az], abs=1e-4)
-        assert x_window[6].tolist() == pytest.approx([0, 0, 0, 1], abs=1e-5)
+        c, s = math.cos(angle), math.sin(angle)
+        turn = torch.tensor([[c, 0, s], [0, 1, 0], [-s, 0, c]])  # of rows, into the root frame
+        x, z = (split_joints(part) for part in (rows.inputs[row, layout.inputs["joints"]],
+                                                rows.outputs[row, layout.outputs["joints"]]))
+        # the outputs are those of the next frame, seen from this one
+        for found, at in ((x, t), (z, t + 1)):
+            wanted = (position[at] - roots.positions[t]) @ turn
+            torch.testing.assert_close(found["position"], wanted, atol=1e-4, rtol=0)
+            wanted = (position[at] - position[at - 1]) * 60 @ turn
+            torch.testing.assert_close(found["velocity"], wanted, atol=1e-3, rtol=0)
+        path = ((roots.positions - roots.positions[t]) @ turn)[:, ::2]
+        x, z = (part.view(-1, 4) for part in (rows.inputs[row, layout.inputs["trajectory"]],
+                                              rows.outputs[row, layout.outputs["trajectory"]]))
+        for found, first in ((x, t - 60), (z, t + 1)):
+            wanted = path[first : t + 60 : 10]
+            torch.testing.assert_close(found[:, :2], wanted, atol=1e-4, rtol=0)
+        assert x[6].tolist() == pytest.approx([0, 0, 0, 1], abs=1e-5)
 
 
 def test_features_do_not_change_when_the_character_is_moved_or_turned(walk_clip):
@@ -84,25 +77,16 @@ def test_packing_refuses_what_does_not_fit(walk_clip):
         layout.pack_input(trajectory=window, joints=joints[..., :11])
 
 
-def slow_moments(rows) -> tuple[int, list[float], list[float]]:
-    """Number, mean and variance of rows ``[..., D]``, one column after the other."""
-    columns = [c.tolist() for c in rows.flatten(0, -2).double().unbind(-1)]
-    n = max(1, len(columns[0]))
-    means = [math.fsum(c) / n for c in columns]
-    variances = [math.fsum((x - mean) ** 2 for x in column) / n
-                 for column, mean in zip(columns, means, strict=True)]
-    return len(columns[0]), means, variances
-
-
 @pytest.mark.parametrize("sizes", [(3, 5), (0, 1), (1, 0), (400, 2, 30)])
 def test_a_normaliser_of_parts_is_that_of_their_union(sizes):
     generator = torch.Generator().manual_seed(1)
     parts = [10 * i + (i + 1) * torch.randn(n, 2, generator=generator) for i, n in enumerate(sizes)]
-    _, mean, variance = slow_moments(torch.cat(parts))
+    union = torch.cat(parts).double()
+    std = union.std(0, correction=0)
+    expected = union.mean(0), torch.where(std > 1e-5, std, 1.0)  # constant: only centred
     for found in (Normaliser.of(*parts), Normaliser.merged(moments(p) for p in parts)):
-        assert found.mean.tolist() == pytest.approx(mean, rel=1e-6)
-        std = [math.sqrt(v) if v > 1e-10 else 1.0 for v in variance]  # constant: only centred
-        assert found.std.tolist() == pytest.approx(std, rel=1e-6)
+        for value, right in zip((found.mean, found.std), expected, strict=True):
+            torch.testing.assert_close(value.double(), right, rtol=1e-6, atol=0)
 
 
 def test_rows_are_read_as_those_of_a_tensor():
@@ -149,11 +133,12 @@ def test_build_against_a_slow_loop(two_walks):
     assert data.styles == ["Neutral", "Twin"]
     assert data.n_frames == 139 * 5
     for style, parts in expected.items():
+        takes, rows, clips = zip(*parts, strict=True)
         for kind in ("inputs", "phases", "outputs"):
-            known = torch.cat([getattr(rows, kind) for _, rows, _ in parts])
+            known = torch.cat([getattr(some, kind) for some in rows])
             torch.testing.assert_close(getattr(data, kind)[style], known)
-        assert torch.equal(data.clips[style], torch.cat([y for *_, y in parts]))
-        assert data.takes[style].tolist() == [take for take, *_ in parts for _ in range(139)]
+        assert torch.equal(data.clips[style], torch.cat(clips))
+        assert data.takes[style].tolist() == list(np.repeat(takes, 139))
     original, image = data.frames["Twin"].split(139)
     assert torch.equal(original, image)  # a mirror image has the same numbers
 

@@ -16,11 +16,6 @@ FPS = 60.0
 TURN = 2 * math.pi
 
 
-def columns(ph):
-    """The tensors of phases, by name."""
-    return {name: value for name, value in vars(ph).items() if name != "limbs"}
-
-
 def random(seed, *shape):
     return torch.randn(*shape, generator=torch.Generator().manual_seed(seed), dtype=torch.float64)
 
@@ -98,7 +93,7 @@ def test_fields_are_what_they_say(walk_clip):
     """Each field against the fit of each limb's own curve; the vector against equation (1)."""
     source = tk.phases.ContactFree().fitted([walk_clip])
     ph = tk.phases.extract(walk_clip, lambda clip, limb: source(clip, limb))
-    assert all(column.dtype == torch.float32 for column in columns(ph).values())
+    assert {x.dtype for name, x in vars(ph).items() if name != "limbs"} == {torch.float32}
     for i, limb in enumerate(LIMBS):
         raw = source(walk_clip, limb)[:, None]
         half = windows.half_window(raw[:, 0], FPS)
@@ -213,7 +208,7 @@ def test_a_z_score_is_that_of_each_column_alone_at_the_ends_too(half):
     for frame in range(60):
         window = around(curves, frame, round(half * 30))
         expected = (curves[frame] - window.mean(0)) / window.std(0, correction=0)
-        assert got[frame].tolist() == pytest.approx(expected.tolist(), abs=1e-6)
+        torch.testing.assert_close(got[frame], expected, rtol=0, atol=1e-6)
 
 
 @pytest.mark.parametrize("fps", [30.0, 120.0])
@@ -260,13 +255,9 @@ def test_the_window_is_that_of_the_highest_peak_of_the_autocorrelation():
 def test_speed_is_the_root_mean_square_over_a_second():
     where = random(7, 40, 3).cumsum(0)
     got = windows.speed(where, 12.0)
-    squares = []
-    for frame in range(40):
-        before, after = max(frame - 1, 0), min(frame + 1, 39)
-        squares.append(float((where[after] - where[before]).norm() / (after - before) * 12) ** 2)
-    for frame in range(40):
-        expected = math.sqrt(around(torch.tensor(squares), frame, 6).mean())
-        assert float(got[frame]) == pytest.approx(expected, rel=1e-5)
+    squares = torch.gradient(12 * where, dim=0)[0].square().sum(-1)
+    expected = torch.stack([around(squares, frame, 6).mean().sqrt() for frame in range(40)])
+    torch.testing.assert_close(got, expected, rtol=1e-5, atol=0)
 
 
 def test_regression_is_that_of_least_squares_in_each_window():

@@ -17,6 +17,7 @@ from unittest import mock
 import pytest
 import torch
 from test_networks import TINY, tiny_model, tree
+from torch.nn import functional
 
 import toolkit as tk
 from toolkit import networks, training
@@ -227,9 +228,7 @@ def test_features_of_a_list_have_its_parts():
     walk = next(c for c in clips if (c.style, c.gait) == ("Zombie", "FW"))
     last = tk.features.build(walk.cut(420, 720), source="contact")  # it begins at frame 520
     torch.testing.assert_close(test.inputs["Zombie"][:, joints], last.inputs["Zombie"][:, joints])
-    seen = poses(test.inputs["Zombie"][:, joints])
-    assert not poses(train.inputs["Zombie"][:, joints]) & seen
-    assert not poses(train.clips["Zombie"]) & seen
+    assert not poses(train.clips["Zombie"]) & poses(test.inputs["Zombie"][:, joints])
     run = training.fit(data, quick(steps=2, clips_per_batch=1))
     assert run.held_out.keys() == {"Zombie"}
     with pytest.raises(ValueError, match=r"Neutral.*: the split of made has no block of this take"):
@@ -242,14 +241,11 @@ def test_loss_is_mse_and_bone_length_of_equation_5():
     model = tiny_model()
     predicted, target = torch.randn(3, 2, model.layout.n_outputs).unbind(1)
     mse, bone = loss.loss_terms(model, predicted, target)
-    torch.testing.assert_close(mse, ((predicted - target) ** 2).mean())
-    total = 0.0
-    for n in range(3):
-        a, b = (model.normaliser("outputs").invert(z[n]) for z in (predicted, target))
-        a, b = (z[24 : 24 + 48].reshape(4, 12)[:, :3] for z in (a, b))
-        for j in (1, 2, 3):
-            total += abs(float((a[j] - a[j - 1]).norm() - (b[j] - b[j - 1]).norm())) / 3
-    assert float(bone) == pytest.approx(total / 3, rel=1e-5)
+    torch.testing.assert_close(mse, functional.mse_loss(predicted, target))
+    rows = (model.normaliser("outputs").invert(z)[:, 24:72].view(3, 4, 12)
+            for z in (predicted, target))
+    lengths = [z[..., :3].diff(dim=1).norm(dim=-1) for z in rows]  # of a chain of joints
+    torch.testing.assert_close(bone, functional.l1_loss(*lengths))
 
 
 def test_repeating_the_frame_keeps_pose_trajectory_and_phases():
@@ -357,9 +353,9 @@ def test_under_torchrun_its_processes_and_nodes_count_and_not_the_config(monkeyp
     asked = []
     made = SimpleNamespace(launch=lambda: asked.append("launched"))
     monkeypatch.setattr("lightning_fabric.Fabric", lambda **given: asked.append(given) or made)
-    for name, value in (("TORCHELASTIC_RUN_ID", "none"), ("LOCAL_WORLD_SIZE", "3"),
-                        ("GROUP_WORLD_SIZE", "2")):
-        monkeypatch.setenv(name, value)
+    monkeypatch.setenv("TORCHELASTIC_RUN_ID", "none")
+    monkeypatch.setenv("LOCAL_WORLD_SIZE", "3")
+    monkeypatch.setenv("GROUP_WORLD_SIZE", "2")
     distributed.start.cache_clear()
     assert distributed.start("cpu", 1) is made
     distributed.start.cache_clear()
