@@ -54,7 +54,8 @@ desk
 charts.style_space(points, planted.names, title={COMMENT!r})
 """,
     """
-control = tk.view.Controller(model, planted, size=(240, 180))  # last: a controller's frames take the kernel's time
+# last: a controller's frames take the kernel's time
+control = tk.view.Controller(model, planted, size=(240, 180))
 control
 """,
     """
