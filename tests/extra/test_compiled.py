@@ -6,6 +6,7 @@ import numba
 import pytest
 import torch
 from numba.core.caching import IndexDataCacheFile
+from torch.testing import assert_close
 
 import toolkit as tk
 from toolkit import runtime
@@ -48,8 +49,7 @@ def test_the_network_is_the_models_for_any_size_and_number_of_characters(small_r
     for count in (1, 2, 7, 131):
         given = inputs(model, count)
         z = torch.empty(count, model.layout.n_outputs)
-        arrays = (value.numpy() for value in given)
-        network.predict(*arrays, compiled.weights, z.numpy())
+        network.predict(*(value.numpy() for value in given), compiled.weights, z.numpy())
         apart = (z - model.predict(*given)) / model.outputs_std
         assert float(apart.abs().max()) < 1e-4
 
@@ -57,20 +57,19 @@ def test_the_network_is_the_models_for_any_size_and_number_of_characters(small_r
 def test_a_step_and_a_pose_equal_the_plain_ones(pretrained):
     model, compiled, bank = pretrained
     state = runtime.start(model, bank.vectors[:9])
-    for number, command in enumerate(commands(90, 9)):
+    for number, command in enumerate(commands(50, 9)):
         before = {name: value.clone() for name, value in vars(state).items()}
         with torch.inference_mode():
             plain = runtime.step(model, state, command)
         fast = runtime.step(compiled, state, command)
-        for name, value in vars(plain).items():
-            assert float((getattr(fast, name) - value).abs().max()) < 2e-4, name
-            assert torch.equal(getattr(state, name), before[name])  # the state itself stays
+        assert_close(vars(fast), vars(plain), atol=2e-4, rtol=0)
+        assert_close(vars(state), before, atol=0, rtol=0)  # the state itself stays
         state = plain
         if number % 10 == 0:
             chosen = {"feet": number % 20 == 0, "arms": number % 30 == 0}
             right, made = (runtime.pose(m, state, **chosen) for m in (model, compiled))
-            assert float((right[0] - made[0]).abs().max()) < 1e-4
-            assert float((right[1] - made[1]).abs().max()) < 1e-5
+            assert_close(made[0], right[0], atol=1e-4, rtol=0)
+            assert_close(made[1], right[1], atol=1e-5, rtol=0)
 
 
 def test_rare_branches_of_a_step_equal_the_plain_ones(pretrained):
@@ -87,8 +86,7 @@ def test_rare_branches_of_a_step_equal_the_plain_ones(pretrained):
             state, toes=state.toes + torch.linspace(-0.3, 0.3, 18).view(6, 1, 3), drop=drop,
             drive=state.drive + torch.linspace(-0.9, 9.0, 6)[:, None])
         plain, fast = (runtime.step(m, moved, command) for m in (model, compiled))
-        for name, value in vars(plain).items():
-            assert float((getattr(fast, name) - value).abs().max()) < 1e-3, name
+        assert_close(vars(fast), vars(plain), atol=1e-3, rtol=0)
 
 
 def test_legs_and_arms_out_of_reach_bend_alike(pretrained):
@@ -106,10 +104,10 @@ def test_legs_and_arms_out_of_reach_bend_alike(pretrained):
 
 
 def test_rollouts_stay_together_and_do_not_drift_apart(pretrained):
-    """1 mm after a second; after three, where differences have grown, still the same walk."""
+    """1 mm after a second; after two, where differences have grown, still the same walk."""
     model, compiled, bank = pretrained
     styles = torch.stack([bank[name] for name in ("Neutral", "Zombie")])
-    ways = [*runtime.straight(1.0, 1.5), *runtime.straight(1.0, 1.5, (1.0, 0.0))]
+    ways = [*runtime.straight(1.0, 1.0), *runtime.straight(1.0, 1.0, (1.0, 0.0))]
     runs = [list(runtime.states(m, ways, styles)) for m in (model, compiled)]
     for i in range(len(styles)):
         plain = runtime.record(model, runs[0], character=i)
@@ -124,9 +122,10 @@ def test_published_parameters_run_alike(shared):
     model, bank = tk.published.load(shared / "lpn_film_100style")
     compiled = runtime.compile(model)
     styles = torch.stack([bank[name] for name in ("Neutral", "Zombie", "Aeroplane")])
-    *_, plain = runtime.states(model, runtime.straight(1.2, 1.0), styles)
-    *_, fast = runtime.states(compiled, runtime.straight(1.2, 1.0), styles)
-    places = [runtime.world_joints(model.layout, s)["position"] for s in (plain, fast)]
+    places = []
+    for runs in (model, compiled):
+        *_, last = runtime.states(runs, runtime.straight(1.2, 0.5), styles)
+        places.append(runtime.world_joints(model.layout, last)["position"])
     assert float((places[0] - places[1]).norm(dim=-1).max()) < 1e-3
 
 
