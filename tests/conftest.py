@@ -49,6 +49,13 @@ def walk_clip() -> tk.Clip:
 
 
 @pytest.fixture(scope="session")
+def zombie() -> tk.Clip:
+    """Three seconds of procedural walking, away from the origin and from the axes."""
+    clips = tk.datasets.load("procedural", styles=["Zombie"], gaits=["FW"], seconds=3.0)
+    return clips[0].moved(turn=0.7, shift=(2.0, 0.0, -1.0))
+
+
+@pytest.fixture(scope="session")
 def two_styles() -> tk.features.Features:
     """Features of ten seconds of each of two styles."""
     return tk.features.build(tk.datasets.load(

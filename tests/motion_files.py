@@ -7,6 +7,7 @@ import zlib
 
 import numpy as np
 import torch
+from scipy.spatial.transform import Rotation
 
 import toolkit as tk
 from toolkit.extra.characters import retargeting
@@ -60,6 +61,14 @@ def glb(document, data):
     chunks = b"".join(struct.pack("<I4s", len(x), kind) + x for x, kind in ((text, b"JSON"),
                                                                             (data, b"BIN\0")))
     return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
+
+
+def glb_parts(path):
+    """The JSON and the binary data of a .glb file."""
+    data = path.read_bytes()
+    magic, version, length, size, kind = struct.unpack_from("<4sII I4s", data)
+    assert (magic, version, length, kind) == (b"glTF", 2, len(data), b"JSON")
+    return json.loads(data[20 : 20 + size]), data[28 + size :]
 
 
 def textured(document, primitive, places, picture):
@@ -227,9 +236,8 @@ def smpl_walk(seconds=1.0):
 
 def axis_angles(q):
     """Rotation vectors of quaternions."""
-    q = torch.where(q[..., :1] < 0, -q, q).double()
-    sine = q[..., 1:].norm(dim=-1, keepdim=True)
-    return 2 * torch.atan2(sine, q[..., :1]) * q[..., 1:] / sine.clamp_min(1e-12)
+    vectors = Rotation.from_quat(q.reshape(-1, 4), scalar_first=True).as_rotvec()
+    return torch.from_numpy(vectors).reshape(*q.shape[:-1], 3)
 
 
 def packed(**arrays):

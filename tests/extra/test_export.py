@@ -3,7 +3,6 @@
 import json
 import re
 import runpy
-import struct
 from dataclasses import replace
 from pathlib import Path
 from unittest import mock
@@ -11,6 +10,7 @@ from unittest import mock
 import numpy as np
 import pytest
 import torch
+from motion_files import glb_parts
 
 import toolkit as tk
 from toolkit import registry
@@ -20,20 +20,6 @@ from toolkit.networks.bank import StyleBank
 from toolkit.view.render import mannequin as body
 
 DOCS = Path(__file__).parents[2] / "docs"
-
-
-@pytest.fixture(scope="module")
-def zombie() -> tk.Clip:
-    clips = tk.datasets.load("procedural", styles=["Zombie"], gaits=["FW"], seconds=3.0)
-    return clips[0].moved(turn=0.7, shift=(2.0, 0.0, -1.0))
-
-
-def document(path: Path) -> dict:
-    """The JSON of a .glb file."""
-    data = path.read_bytes()
-    magic, version, length, size, kind = struct.unpack_from("<4sII I4s", data)
-    assert (magic, version, length, kind) == (b"glTF", 2, len(data), b"JSON")
-    return json.loads(data[20 : 20 + size])
 
 
 def seen_by_vtk(path: Path, second: float) -> np.ndarray:
@@ -78,7 +64,7 @@ def test_gltf_names_the_joints_and_holds_what_moves(tmp_path, zombie):
     still = SKELETON.index("LeftToe")
     rotations[:, still] = rotations[:1, still]
     tk.extra.engines.gltf.save(zombie.replace(rotations=rotations), tmp_path / "a.glb")
-    made = document(tmp_path / "a.glb")
+    made = glb_parts(tmp_path / "a.glb")[0]
     assert [node["name"] for node in made["nodes"][:-1]] == list(SKELETON.names)
     for node in made["nodes"][:-1]:
         assert abs(np.linalg.norm(node["rotation"]) - 1) < 1e-6
@@ -93,7 +79,7 @@ def test_gltf_names_the_joints_and_holds_what_moves(tmp_path, zombie):
         {"node": 0, "path": "translation"}
     ]
     tk.extra.engines.gltf.save(zombie.cut(0, 1), tmp_path / "still.glb")
-    assert "animations" not in document(tmp_path / "still.glb")
+    assert "animations" not in glb_parts(tmp_path / "still.glb")[0]
 
 
 def test_usd_sees_the_same_skin_move(tmp_path, zombie):
