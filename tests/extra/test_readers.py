@@ -47,9 +47,15 @@ def refused(read, path, match, *args):
 
 # glTF
 
-CHAIN = [{"name": "hips", "children": [1]}, {"name": "spine", "translation": [0, 1, 0],
-                                             "children": [2]},
-         {"name": "headEnd", "translation": [0, 0.5, 0]}]
+def tree(*rows):
+    """Nodes of a name, the number of the parent and a translation each; the first has no parent."""
+    nodes = [{"name": name, "translation": place or [0, 0, 0]} for name, _, *place in rows]
+    for child, (_, parent, *_) in enumerate(rows[1:], 1):
+        nodes[parent].setdefault("children", []).append(child)
+    return nodes
+
+
+CHAIN = tree(("hips", None), ("spine", 0, 0, 1, 0), ("headEnd", 1, 0, 0.5, 0))
 
 
 def quaternions(angles):
@@ -60,6 +66,10 @@ def quaternions(angles):
 
 
 TURN = "rotation", [0, 0.1], quaternions([0, 1]), "LINEAR"
+
+
+def moving(node, places, fps=30):
+    return (node, "translation", np.arange(len(places)) / fps, np.float32(places), "LINEAR")
 
 
 def loaded(folder, doc):
@@ -104,7 +114,7 @@ def test_quantised_accessors_are_read_and_sparse_ones_refused(tmp_path):
     times, angles = np.arange(8) / 30, np.linspace(0, 1, 8)
     shorts = np.round(quaternions(angles) * 32767).astype("<i2")
     doc = Document(CHAIN).animate((1, "rotation", times, shorts, "LINEAR", {"normalized": True}),
-                                  (0, "translation", times, np.zeros((8, 3), np.float32), "LINEAR"))
+                                  moving(0, np.zeros((8, 3))))
     made = loaded(tmp_path, doc)
     spine = made.rotations[:, made.names.index("spine")]
     turned = 2 * torch.atan2(spine[:, 1], spine[:, 0])
@@ -134,15 +144,12 @@ def test_buffers_in_the_text_and_beside_it(tmp_path):
 def test_an_armature_scaled_to_centimetres(tmp_path):
     """Mixamo-like: the armature is 0.01 of its size and lies down, the hips go in centimetres."""
     half = 0.5**0.5
-    nodes = [{"name": "Armature", "scale": [0.01] * 3, "rotation": [half, 0, 0, half],
-              "children": [1, 4]},
-             {"name": "mixamorig:Hips", "children": [2]},
-             {"name": "mixamorig:Spine", "translation": [0, 0, -20], "children": [3]},
-             {"name": "mixamorig:Head", "translation": [0, 0, -50]}, {"name": "Body", "mesh": 0}]
+    nodes = tree(("Armature", None), ("mixamorig:Hips", 0), ("mixamorig:Spine", 1, 0, 0, -20),
+                 ("mixamorig:Head", 2, 0, 0, -50), ("Body", 0))
+    nodes[0] |= {"scale": [0.01] * 3, "rotation": [half, 0, 0, half]}
+    nodes[4]["mesh"] = 0
     places = np.float32([[0, 10 * f, -90] for f in range(4)])
-    doc = Document(nodes, skins=[{"joints": [1, 2, 3]}]).animate(
-        (1, "translation", np.arange(4) / 30, places, "LINEAR"),
-        (2, *TURN))
+    doc = Document(nodes, skins=[{"joints": [1, 2, 3]}]).animate(moving(1, places), (2, *TURN))
     made = loaded(tmp_path, doc)
     assert made.names == ("mixamorig:Hips", "mixamorig:Spine", "mixamorig:Head")
     assert not made.doubts
@@ -152,18 +159,13 @@ def test_an_armature_scaled_to_centimetres(tmp_path):
 
 
 def test_a_root_that_stays_while_the_hips_travel(tmp_path):
-    nodes = [{"name": "root", "rotation": [0, 1, 0, 0], "children": [1, 7]},
-             {"name": "pelvis", "children": [2, 3, 5]},
-             {"name": "spine", "translation": [0, 0.5, 0]},
-             {"name": "thigh_l", "translation": [1, 0, 0], "children": [4]},
-             {"name": "calf_l", "translation": [0, -4, 0]},
-             {"name": "thigh_r", "translation": [-1, 0, 0], "children": [6]},
-             {"name": "calf_r", "translation": [0, -4, 0]},
-             {"name": "ik_foot_root", "children": [8]}, {"name": "ik_foot_l"}]
+    nodes = tree(("root", None), ("pelvis", 0), ("spine", 1, 0, 0.5, 0), ("thigh_l", 1, 1, 0, 0),
+                 ("calf_l", 3, 0, -4, 0), ("thigh_r", 1, -1, 0, 0), ("calf_r", 5, 0, -4, 0),
+                 ("ik_foot_root", 0), ("ik_foot_l", 7))
+    nodes[0]["rotation"] = [0, 1, 0, 0]
     places = np.float32([[0, 10, 2 * f] for f in range(5)])
     doc = Document(nodes, skins=[{"joints": list(range(9))}]).animate(
-        (1, "translation", np.arange(5) / 24, places, "LINEAR"),
-        (8, "translation", np.arange(5) / 24, places, "LINEAR"))
+        moving(1, places, 24), moving(8, places, 24))
     made = loaded(tmp_path, doc)
     assert made.names[0] == "pelvis"
     assert not any("ik" in name for name in made.names)
@@ -180,25 +182,22 @@ def test_controls_outside_the_skin_are_left_out(tmp_path, above):
               *[{"name": f"control{i}"} for i in range(20)]]
     if above == 0:
         nodes[0]["children"] = [1, 3]
-    times, places = np.arange(3) / 30, np.float32([[0, f, 0] for f in range(3)])
+    places = [[0, f, 0] for f in range(3)]
     doc = Document(nodes, skins=[{"joints": [0, 1, 2]}]).animate(
-        (1, "rotation", times, quaternions([0, 1, 2]), "LINEAR"),
-        *[(j, "translation", times, places, "LINEAR") for j in range(4, 24)])
+        (1, *TURN), *[moving(j, places) for j in range(4, 24)])
     made = loaded(tmp_path, doc)
     assert made.names == ("hips", "spine", "headEnd")
     assert len(made.doubts) == 1
 
 
 def test_bones_that_stretch_are_said_and_limbs_that_fly_refused(tmp_path):
-    limbs = [{"name": f"arm{i}", "translation": [0, 1, 0], "children": [i + 1]}
-             for i in range(1, 4)]
-    nodes = [{"name": "hips", "children": [1]}, *limbs, {"name": "hand", "translation": [0, 1, 0]}]
+    nodes = tree(("hips", None), *[(f"arm{i}", i - 1, 0, 1, 0) for i in range(1, 4)],
+                 ("hand", 3, 0, 1, 0))
     for far, said in ((0.1, "joints that move against their parents by up to 0.1 units"),
                       (3.0, None)):
-        places = np.float32([[0, 1 + far * f, 0] for f in (0, 0, 1)])
-        doc = Document([*nodes], skins=[{"joints": [0, 1, 2, 3, 4]}]).animate(
-            (2, "translation", np.arange(3) / 30, places, "LINEAR"),
-            (0, *TURN[:3], "STEP"))
+        places = [[0, 1 + far * f, 0] for f in (0, 0, 1)]
+        doc = Document(nodes, skins=[{"joints": [0, 1, 2, 3, 4]}]).animate(
+            moving(2, places), (0, *TURN[:3], "STEP"))
         path = written(tmp_path / "a.glb", doc.glb())
         if said:
             assert said in gltf.read(path).doubts[0]
@@ -208,21 +207,14 @@ def test_bones_that_stretch_are_said_and_limbs_that_fly_refused(tmp_path):
 
 def test_limbs_without_a_skin_stay_under_a_spine_that_stretches(tmp_path):
     """A skin for the head alone, as some avatars have it, makes the legs no helpers."""
-    nodes = [{"name": "hips", "children": [1, 4, 6]},
-             *[{"name": f"spine{i}", "translation": [0, 1, 0],
-                "children": [i + 1] if i < 3 else []} for i in range(1, 4)],
-             {"name": "leg_l", "translation": [1, 0, 0], "children": [5]},
-             {"name": "foot_l", "translation": [0, -4, 0]},
-             {"name": "leg_r", "translation": [-1, 0, 0], "children": [7]},
-             {"name": "foot_r", "translation": [0, -4, 0]},
-             *[{"name": f"finger{i}", "translation": [0, 1, 0]} for i in range(20)]]
-    nodes[3]["children"] = list(range(8, 28))
-    places = np.float32([[0, 1 + 0.01 * f, 0] for f in range(3)])
-    legs = np.float32([[1 + 0.01 * f, 0, 0] for f in range(3)])
+    nodes = tree(("hips", None), *[(f"spine{i}", i - 1, 0, 1, 0) for i in range(1, 4)],
+                 ("leg_l", 0, 1, 0, 0), ("foot_l", 4, 0, -4, 0),
+                 ("leg_r", 0, -1, 0, 0), ("foot_r", 6, 0, -4, 0),
+                 *[(f"finger{i}", 3, 0, 1, 0) for i in range(20)])
+    spine, leg = ([[x, y + 0.01 * f, 0] for f in range(3)] for x, y in ((0, 1), (1, 0)))
     for width in (20, 1):  # many fingers in the skin, then one
         doc = Document(nodes, skins=[{"joints": [1, 2, 3, *range(8, 8 + width)]}]).animate(
-            (1, "translation", np.arange(3) / 30, places, "LINEAR"),
-            (4, "translation", np.arange(3) / 30, legs, "LINEAR"),
+            moving(1, spine), moving(4, leg),
             *[(j, *TURN) for j in (0, 4, 5, 6, 7)])
         made = loaded(tmp_path, doc)
         assert {"hips", "leg_l", "foot_l", "leg_r", "foot_r"} <= set(made.names)
