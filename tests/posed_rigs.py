@@ -34,8 +34,12 @@ def frames_of(pose: str, offsets: torch.Tensor) -> torch.Tensor:
 
 def rig(pose: str, *, arms: float = 1.0, legs: float = 1.0, hips: float = 1.0,
         turned: torch.Tensor | None = None,
-        joints: Callable[[list, list, list], None] | None = None) -> tk.Clip:
-    """One frame of a rig in T-pose, with its own names, proportions and local frames."""
+        joints: Callable[[dict, dict], tuple[dict, dict]] | None = None) -> tk.Clip:
+    """One frame of a rig in T-pose, with its own names, proportions and local frames.
+
+    ``joints`` changes the rows of its skeleton, name: (parent, offset, world rotation of the local
+    frame), and its roles.
+    """
     offsets = SKELETON.offsets.clone()
     for j, name in enumerate(SKELETON.names):
         offsets[j] *= arms if any(part in name for part in ("Elbow", "Wrist")) else 1.0
@@ -45,56 +49,52 @@ def rig(pose: str, *, arms: float = 1.0, legs: float = 1.0, hips: float = 1.0,
     if turned is not None:  # zero rotations face another way or lie on their back
         own = R.multiply(own, R.inverse(turned))
     local = offsets.clone()
-    parents = list(SKELETON.parents)
-    local[1:] = R.rotate(R.inverse(own[parents[1:]]), offsets[1:])
-    rows = [f"rig:{name}" for name in SKELETON.names], parents, [*local]
+    local[1:] = R.rotate(R.inverse(own[list(SKELETON.parents[1:])]), offsets[1:])
+    names = [f"rig:{name}" for name in SKELETON.names]
+    above = [None] + [names[parent] for parent in SKELETON.parents[1:]]
+    rows = dict(zip(names, zip(above, local, own, strict=True), strict=True))
     roles = {role: f"rig:{name}" for role, name in SKELETON.roles.items()}
     if joints is not None:
-        rows, roles, own = joints(*rows, roles, own)
-    skeleton = tk.Skeleton(rows[0], rows[1], torch.stack(rows[2]), roles)
-    return tk.Clip(skeleton, local_rotations(skeleton, own[None]), torch.tensor([[0.0, 0.95, 0.0]]),
-                   60.0, name=pose)
+        rows, roles = joints(rows, roles)
+    above, local, own = zip(*rows.values(), strict=True)
+    parents = [list(rows).index(name) if name else -1 for name in above]
+    skeleton = tk.Skeleton(tuple(rows), parents, torch.stack(local), roles)
+    return tk.Clip(skeleton, local_rotations(skeleton, torch.stack(own)[None]),
+                   torch.tensor([[0.0, 0.95, 0.0]]), 60.0, name=pose)
 
 
-def with_twists(names: list, parents: list, offsets: list, roles: dict, own: torch.Tensor) -> tuple:
+def with_twists(rows: dict, roles: dict) -> tuple[dict, dict]:
     """A joint in the middle of upper arms and thighs, fingers, a root above the hips."""
-    order, rows = ["root"], {"root": (None, torch.zeros(3), R.identity(4)[0])}
-    for j, name in enumerate(names):
-        above = "root" if parents[j] < 0 else names[parents[j]]
-        offset = offsets[j]
+    made = {"root": (None, torch.zeros(3), R.identity())}
+    for name, (above, offset, own) in rows.items():
+        above = above or "root"
         if any(part in name for part in ("Elbow", "Knee")):
-            rows[f"{name}Twist"] = above, offset / 2, own[parents[j]]
-            order.append(f"{name}Twist")
-            above, offset = f"{name}Twist", offset / 2
-        rows[name] = above, offset, own[j]
-        order.append(name)
+            offset = offset / 2
+            made[f"{name}Twist"] = above, offset, rows[above][2]
+            above = f"{name}Twist"
+        made[name] = above, offset, own
         if name.endswith("Wrist"):
-            rows[f"{name}Thumb"] = name, torch.tensor([0.03, 0.02, 0.03]), own[j]
-            order.append(f"{name}Thumb")
-    made = [order, [-1 if rows[n][0] is None else order.index(rows[n][0]) for n in order],
-            [rows[n][1] for n in order]]
-    return made, roles, torch.stack([rows[n][2] for n in order])
+            made[f"{name}Thumb"] = name, torch.tensor([0.03, 0.02, 0.03]), own
+    return made, roles
 
 
-def without_toes(names: list, parents: list, offsets: list, roles: dict,
-                 own: torch.Tensor) -> tuple:
+def without_toes(rows: dict, roles: dict) -> tuple[dict, dict]:
     """No toes, and shoulders fixed to the chest."""
-    kept = [j for j, name in enumerate(names) if "Toe" not in name and "Collar" not in name]
-    offsets = [o if "Collar" not in names[parents[j]]
-               else o + offsets[parents[j]] for j, o in enumerate(offsets)]
-    above = [parents[p] if p >= 0 and p not in kept else p for p in parents]
-    made = [[names[j] for j in kept], [kept.index(above[j]) if j else -1 for j in kept],
-            [offsets[j] for j in kept]]
-    return made, {role: name for role, name in roles.items() if "toe" not in role}, own[kept]
+    made = {}
+    for name, (above, offset, own) in rows.items():
+        if "Collar" in (above or ""):
+            above, more, _ = rows[above]
+            offset = offset + more
+        if "Toe" not in name and "Collar" not in name:
+            made[name] = above, offset, own
+    return made, {role: name for role, name in roles.items() if name in made}
 
 
-def with_soles(names: list, parents: list, offsets: list, roles: dict, own: torch.Tensor) -> tuple:
+def with_soles(rows: dict, roles: dict) -> tuple[dict, dict]:
     """Feet that end straight below the ankle."""
-    (names, parents, offsets), _, own = without_toes(names, parents, offsets, roles, own)
+    rows, roles = without_toes(rows, roles)
     for side in ("left", "right"):
-        ankle = names.index(roles[f"{side}_foot"])
-        names, parents = [*names, f"{names[ankle]}End"], [*parents, ankle]
-        offsets = [*offsets, torch.tensor([0.0, -0.08, 0.0])]
-        own = torch.cat((own, own[ankle : ankle + 1]))
-        roles = roles | {f"{side}_toe": names[-1]}
-    return [names, parents, offsets], roles, own
+        ankle = roles[f"{side}_foot"]
+        roles[f"{side}_toe"] = f"{ankle}End"
+        rows[f"{ankle}End"] = ankle, torch.tensor([0.0, -0.08, 0.0]), rows[ankle][2]
+    return rows, roles

@@ -153,11 +153,10 @@ def _rig(clip: Clip, convention: Convention) -> Clip:
     """The clip with the joints of a convention."""
     old, limbs = clip.skeleton, dict(zip(LIMBS, _names(convention.limbs), strict=True))
     called = dict(zip(BODY, _names(convention.body), strict=True))
-    side_of, part_of = {}, {}
-    for word, side in zip(convention.sides, ("Left", "Right"), strict=True):
-        for part, pattern in limbs.items():
-            side_of[f"{side}{part}"], part_of[f"{side}{part}"] = word, part
-            called[f"{side}{part}"] = pattern.format(word)
+    where = {f"{side}{part}": (word, part) for part in limbs
+             for word, side in zip(convention.sides, ("Left", "Right"), strict=True)}
+    called |= {joint: limbs[part].format(word) for joint, (word, part) in where.items()}
+    toeless = [joint for joint, (_, part) in where.items() if limbs[part].isupper()]
     names, parents, offsets, turns, ends = [], [], [], [], []
 
     def add(name, parent, offset, turn, end=False):
@@ -174,27 +173,23 @@ def _rig(clip: Clip, convention: Convention) -> Clip:
         at[-1] = add(joint, at[-1], torch.zeros(3), still if at[-1] >= 0 else clip.rotations[:, 0])
     for j, joint in enumerate(old.names):
         parent, offset, turn = at[old.parents[j]], old.offsets[j], clip.rotations[:, j]
-        if joint in old.ends:
-            above = old.names[old.parents[j]]
-            if not convention.ends or (part_of.get(above) == "Toe" and limbs["Toe"].isupper()):
-                continue
-            at[j] = add(f"{names[parent]}End", parent, offset, turn, end=True)
+        if joint in old.ends and (not convention.ends or old.names[old.parents[j]] in toeless):
             continue
-        if part_of.get(joint) == "Toe" and limbs["Toe"].isupper():
+        if joint in old.ends or joint in toeless:
             at[j] = add(f"{names[parent]}End", parent, offset, still, end=True)
             continue
         if j == 0 and convention.above:
             turn = still
-        for part, pattern in convention.within:
-            if part_of.get(joint) == part:
+        word, part = where.get(joint, ("", ""))
+        for limb, pattern in convention.within:
+            if limb == part:
                 offset = offset / 2
-                parent = add(pattern.format(side_of[joint]), parent, offset, still)
+                parent = add(pattern.format(word), parent, offset, still)
         at[j] = add(called[joint], parent, offset, turn)
-        for part, pattern in convention.leaves:
-            if part_of.get(joint) == part:
-                add(pattern.format(side_of[joint]), at[j],
-                    torch.tensor([0.01 if joint[0] == "L" else -0.01, 0.02,
-                0.03]), still)
+        for limb, pattern in convention.leaves:
+            if limb == part:
+                aside = torch.tensor([0.01 if joint[0] == "L" else -0.01, 0.02, 0.03])
+                add(pattern.format(word), at[j], aside, still)
     skeleton = Skeleton(names, parents, torch.stack(offsets), {}, ends)
     return Clip(skeleton, torch.stack(turns, 1), clip.root_positions, clip.fps, "Neutral", "FW")
 
