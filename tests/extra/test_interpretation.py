@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 import rigs
 import torch
+from torch.testing import assert_close
 
 import toolkit as tk
 from toolkit.extra.formats import interpretation
@@ -52,15 +53,15 @@ def test_a_walk_of_each_convention_is_understood(tmp_path, name, bent):
     for joint in ("left_hand", "right_toe", "hips"):
         there = made.global_positions[:, made.skeleton.names.index(found.roles[joint])]
         here = clip.global_positions[:, clip.skeleton.role(joint)]
-        torch.testing.assert_close(here, there, atol=1e-4, rtol=0)
+        assert_close(here, there, atol=1e-4, rtol=0)
     mirrored = clip.mirrored()
     assert facing(clip) > 0.95
     assert facing(mirrored) > 0.95
     across = torch.tensor([-1.0, 1.0, 1.0])
     image = clip.global_positions[:, list(clip.skeleton.mirror_pairs)] * across
-    torch.testing.assert_close(mirrored.global_positions, image, atol=2e-3, rtol=0)
+    assert_close(mirrored.global_positions, image, atol=2e-3, rtol=0)
     twice = mirrored.mirrored().global_positions
-    torch.testing.assert_close(twice, clip.global_positions, atol=2e-5, rtol=0)
+    assert_close(twice, clip.global_positions, atol=2e-5, rtol=0)
 
 
 def test_the_unit_follows_from_the_height(tmp_path):
@@ -93,8 +94,8 @@ def test_the_up_axis_follows_from_the_body(tmp_path, up):
     assert (found.up, len(found.doubts)) == (up, len(up) - 1)
     assert all(f"stands along {up}, or is upside down" in said for said in found.doubts)
     positions = found.clip.global_positions
-    torch.testing.assert_close(positions, clip.global_positions, atol=1e-4, rtol=0)
-    torch.testing.assert_close(tk.load(path, up=up).rotations, found.clip.rotations)
+    assert_close(positions, clip.global_positions, atol=1e-4, rtol=0)
+    assert_close(tk.load(path, up=up).rotations, found.clip.rotations)
 
 
 def test_what_is_not_safe_is_said(tmp_path):
@@ -234,9 +235,8 @@ def test_roles_that_a_file_states_count_more_than_names():
     assert "tail" not in made.skeleton.roles
 
 
-def test_a_unit_that_the_file_states_is_taken_where_it_fits_people():
-    clip = rigs.walk("LaFAN1", seconds=0.5)
-    right, wrong = (interpretation.interpret(recorded(clip, unit=unit), Path("a.glb"))[1]
+def test_a_unit_that_the_file_states_is_taken_where_it_fits_people(walk_clip):
+    right, wrong = (interpretation.interpret(recorded(walk_clip, unit=unit), Path("a.glb"))[1]
                     for unit in (1.0, 0.1))
     assert (right.unit, right.doubts) == (1.0, [])
     assert wrong.unit == 1.0
