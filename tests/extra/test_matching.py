@@ -46,7 +46,7 @@ def test_a_style_is_selected_and_a_blend_takes_both(run):
 def test_it_walks_as_fast_as_it_is_told(run):
     _, model, bank = run
     speed = bank.speed("Neutral")
-    clip = tk.runtime.rollout(model, tk.runtime.straight(speed, 4.0), bank["Neutral"]).cut(60)
+    clip = tk.runtime.rollout(model, tk.runtime.straight(speed, 2.5), bank["Neutral"]).cut(60)
     assert tk.metrics.upright(clip)
     assert tk.metrics.speed(clip) == pytest.approx(speed, rel=0.3)
     with pytest.raises(ValueError, match="is not stored in a model file"):
