@@ -37,7 +37,7 @@ GROUPS = {
     "measures": ("evaluation/metrics/*.py evaluation/findings.py", "metrics report findings"),
     "shots": ("extra/shots/*.py", "shots director"),
     "readers": ("io/bvh.py io/bvh_text.py extra/formats/*.py",
-                "bvh bvh_roundtrip readers inspection interpretation character"),
+                "bvh readers inspection interpretation character"),
 }
 #: Packages that the tests import, and the names of ours, which a mutant imports anew.
 HEAVY = ("torch", "numba", "scipy.optimize", "scipy.signal", "scipy.interpolate", "scipy.spatial",

@@ -68,27 +68,18 @@ def test_the_majority_of_a_sixth_of_a_second_decides(fps, fewest):
         assert stands(walked(torch.zeros(60), speeds, fps), 30 + frames // 2) == (frames == fewest)
 
 
-def test_a_standing_toe_is_low_and_slow():
+@pytest.mark.parametrize(("frames", "rises", "speeds", "limits"), [
+    (30, (0.059, 0.061), (0, 0), {"height": 0.05}),  # d_max and the thickness of the floor
+    (30, (0, 0), (0.14, 0.16), {}),
+    (50, (0.055, 0.065), (0, 0), {}),  # higher toes are lifted ones
+    (10, (0.019, 0.021), (0, 0), {}),  # the height follows from the clip: 1 cm, and the floor
+])
+def test_a_standing_toe_is_low_and_slow(frames, rises, speeds, limits):
     """In less than four seconds the floor is level: the 5th percentile of the toe's heights."""
-    heights, speeds = torch.zeros(230), torch.zeros(230)
-    for rise, found in ((0.059, True), (0.061, False)):  # d_max and the thickness of the floor
-        heights[100:130] = rise
-        assert stands(walked(heights, speeds), 115, height=0.05) == found
-    heights[100:130] = 0.0
-    for speed, found in ((0.14, True), (0.16, False)):
-        speeds[100:130] = speed
-        assert stands(walked(heights, speeds), 115) == found
-
-
-def test_the_height_of_a_standing_toe_follows_from_the_clip():
-    heights, speeds = torch.zeros(230), torch.zeros(230)
-    for rise, found in ((0.055, True), (0.065, False)):  # higher toes are lifted ones
-        heights[100:150] = rise
-        assert stands(walked(heights, speeds), 125) == found
-    heights[100:150] = 0.0
-    for rise, found in ((0.019, True), (0.021, False)):  # 1 cm or more, and the floor
-        heights[100:110] = rise
-        assert stands(walked(heights, speeds), 105) == found
+    for rise, speed, found in zip(rises, speeds, (True, False), strict=True):
+        series = torch.zeros(2, 230)
+        series[:, 100 : 100 + frames] = torch.tensor([[rise], [speed]])
+        assert stands(walked(*series), 100 + frames // 2, **limits) == found
 
 
 @pytest.mark.parametrize("height", [1.01, -1.01, torch.nan])

@@ -30,19 +30,12 @@ def test_a_walk_at_any_rate_has_no_defects(walk, stand):
     assert defects(walk.cut(0, 1)) == []
 
 
-@pytest.mark.parametrize(
-    ("damage", "size", "kind"),
-    [
-        (damages.carried, 0.15, "slide"),
-        (damages.carried, 0.8, "slide"),
-        (damages.noise, 1.0, "pop"),
-        (damages.shaken, 0.005, "shake"),
-        (damages.jumped, 0.03, "pop"),
-        (damages.leg, 0.03, "floor"),
-        (damages.leg, -0.04, "floor"),
-        (damages.through, 0.9, "body"),
-    ],
-)
+@pytest.mark.parametrize(("damage", "size", "kind"), [
+    (damages.carried, 0.15, "slide"), (damages.carried, 0.8, "slide"),
+    (damages.noise, 1.0, "pop"), (damages.jumped, 0.03, "pop"),
+    (damages.shaken, 0.005, "shake"), (damages.through, 0.9, "body"),
+    (damages.leg, 0.03, "floor"), (damages.leg, -0.04, "floor"),
+])
 def test_each_damage_is_found_at_each_rate(walk, damage, size, kind):
     for fps in (30, 60, 120):
         assert kind in kinds(damage(walk.resample(fps), size))

@@ -4,6 +4,7 @@ import json
 import math
 from types import SimpleNamespace
 
+import damages
 import pytest
 import torch
 
@@ -39,17 +40,9 @@ def stick(frames=41, speed=0.0, fps=20.0, lift=0.0):
 
 
 def turned(clip, joint, angles):
-    """The clip with a joint turned about its X axis by an angle per frame."""
-    q, axis = clip.rotations.clone(), torch.tensor([1.0, 0.0, 0.0])
-    q[:, joint] = R.from_axis_angle(axis.expand(len(clip), 3), torch.as_tensor(angles))
-    return clip.replace(rotations=q)
-
-
-def slid(clip, velocity):
-    """The clip, carried along at a velocity (x, z)."""
-    time = torch.arange(len(clip))[:, None] / clip.fps
-    way = time * torch.tensor([velocity[0], 0.0, velocity[1]])
-    return clip.replace(root_positions=clip.root_positions + way)
+    """The clip with a joint turned about the X axis by an angle per frame."""
+    vectors = torch.tensor(angles)[:, None, None] * torch.tensor([1.0, 0.0, 0.0])
+    return damages.turned(clip, [joint], vectors)
 
 
 @pytest.fixture(scope="module")
@@ -207,7 +200,7 @@ def test_the_verb_measures_anybodys_files(tmp_path, capsys, walks):
 def test_planted_feet_do_not_skate_and_a_carried_clip_does(walk_clip):
     truth = tk.contacts.detect(walk_clip)
     assert max(metrics.foot_skate(walk_clip, truth).values()) < 0.05
-    carried = slid(walk_clip, (0.3, 0.0))
+    carried = damages.carried(walk_clip, 0.3)
     assert min(metrics.foot_skate(carried, truth).values()) == pytest.approx(0.3, abs=0.03)
     assert min(metrics.foot_skate(carried).values()) > 0.25  # a low toe counts at any speed
     hop = tk.datasets.procedural.generate("HopLeft", seconds=2.0)
@@ -243,10 +236,8 @@ def test_speed_height_and_uprightness(walk_clip):
     low, high = metrics.hips_height(walk_clip)
     assert 0.85 < low < high < 1.05
     assert metrics.upright(walk_clip)
-    lying = R.from_axis_angle(torch.tensor([1.0, 0.0, 0.0]), torch.tensor(math.pi / 2))
-    fallen = walk_clip.rotations.clone()
-    fallen[-1:, 0] = R.multiply(lying, fallen[-1:, 0])  # in one frame
-    assert not metrics.upright(walk_clip.replace(rotations=fallen))
+    fallen = [0.0] * (len(walk_clip) - 1) + [math.pi / 2]  # in one frame
+    assert not metrics.upright(turned(walk_clip, 0, fallen))
 
 
 def test_distance_from_a_path(walk_clip):

@@ -23,7 +23,7 @@ MIRROR = torch.tensor([-1.0, 1.0, 1.0])
 
 
 @given(clips())
-def test_forward_kinematics_against_plain_matrices(clip):
+def test_forward_kinematics_against_plain_matrices_and_back(clip):
     skeleton = clip.skeleton
     local, offsets = R.to_matrix(clip.rotations.double()).numpy(), skeleton.offsets.numpy()
     for f in range(len(clip)):
@@ -33,10 +33,12 @@ def test_forward_kinematics_against_plain_matrices(clip):
             own[:3, :3] = local[f, j]
             own[:3, 3] = clip.root_positions[f] if parent < 0 else offsets[j]
             worlds.append(own if parent < 0 else worlds[parent] @ own)
-        np.testing.assert_allclose(clip.global_positions[f], [w[:3, 3] for w in worlds], atol=1e-4)
-        np.testing.assert_allclose(
-            R.to_matrix(clip.global_rotations[f]), [w[:3, :3] for w in worlds], atol=1e-4
-        )
+        found = torch.cat((R.to_matrix(clip.global_rotations[f]),
+                           clip.global_positions[f, ..., None]), -1)
+        np.testing.assert_allclose(found, np.stack(worlds)[:, :3], atol=1e-4)
+    rotations, _ = forward_kinematics(skeleton, clip.rotations, clip.root_positions)
+    back = local_rotations(skeleton, rotations)
+    torch.testing.assert_close(back, clip.rotations, atol=1e-5, rtol=0)
 
 
 def test_forward_kinematics_of_any_leading_shape_and_its_gradient():
@@ -57,18 +59,9 @@ def test_a_skeleton_that_inference_mode_used_first_can_be_differentiated():
         _ = skeleton.rest_positions, skeleton.facing_axis
     q = R.identity(2, 20).requires_grad_()
     turned, positions = forward_kinematics(skeleton, q, torch.zeros(2, 3))
-    (
-        R.rotate(turned, skeleton.facing_axis) * (positions - skeleton.rest_positions)
-    ).sum().backward()
+    across = R.rotate(turned, skeleton.facing_axis) * (positions - skeleton.rest_positions)
+    across.sum().backward()
     assert bool(q.grad.isfinite().all())
-
-
-@given(clips())
-def test_local_rotations_undo_forward_kinematics(clip):
-    rotations, _ = forward_kinematics(clip.skeleton, clip.rotations, clip.root_positions)
-    torch.testing.assert_close(
-        local_rotations(clip.skeleton, rotations), clip.rotations, atol=1e-5, rtol=0
-    )
 
 
 @given(seeds)
@@ -127,9 +120,7 @@ def test_roles_and_names():
     assert skeleton.index("left_elbow") == skeleton.index("LeftElbow")
     assert skeleton.roles["right_knee"] == "RightKnee"
     assert skeleton.names[skeleton.mirror_pairs[skeleton.index("LeftToe")]] == "RightToe"
-    assert [
-        skeleton.names[j] for j in range(len(skeleton)) if j not in skeleton.feature_joints
-    ] == ["HeadEnd"]
+    assert {*range(len(skeleton))} - {*skeleton.feature_joints} == {skeleton.index("HeadEnd")}
     with pytest.raises(ValueError, match=r"no joint has the role 'Hips'.*Hips, Chest"):
         skeleton.role("Hips")
 
@@ -154,9 +145,8 @@ def test_end_sites_are_leaves_that_are_named_or_called_so():
     assert [skeleton.is_end(j) for j in range(4)] == [False, False, True, False]
     assert Skeleton(**skeleton.to_dict()).ends == ("bEnd",)
     assert tk.features.Layout(human()) != tk.features.Layout(dataclasses.replace(human(), ends=()))
-    with pytest.raises(
-        ValueError, match="End Sites must be leaves of the tree; these are not: b, d"
-    ):
+    leaves = "End Sites must be leaves of the tree; these are not: b, d"
+    with pytest.raises(ValueError, match=leaves):
         Skeleton(*tree, ends=("b", "bEnd", "d"))
 
 
@@ -178,11 +168,10 @@ def test_names_that_are_roles_of_other_joints_change_nothing(walk_clip):
         toes = targets[:, [skeleton.role("right_toe"), skeleton.role("left_toe")]]
         first = clip.rotations[:5], clip.root_positions[:5]
         return [
-            frames.inputs, frames.outputs, frames.phases, skeleton.feature_joints,
-            skeleton.facing_axis, tk.motion.ik.turn_arms(skeleton, *first, targets),
+            frames.inputs, frames.outputs, frames.phases, skeleton.facing_axis,
+            tk.motion.ik.turn_arms(skeleton, *first, targets),
             tk.motion.ik.plant_feet(skeleton, *first, toes), tk.contacts.detect(clip),
-            tk.metrics.hips_height(clip), tk.metrics.speed(clip),
-            tk.metrics.on_feet(skeleton, clip.global_positions[..., 1]),
+            tk.metrics.hips_height(clip), tk.metrics.speed(clip), tk.metrics.upright(clip),
             list(tk.metrics.foot_skate(clip).values()), tk.features.Layout(skeleton).limbs,
         ]
 
@@ -190,28 +179,21 @@ def test_names_that_are_roles_of_other_joints_change_nothing(walk_clip):
         np.testing.assert_array_equal(got, expected)
 
 
-@pytest.mark.parametrize(
-    ("names", "parents", "match"),
-    [
-        (("a", "b"), (-1,), "2 joint names need 2 parents"),
-        (("a", "a"), (-1, 0), "a joint is named twice: a"),
-        (("a", "b", "c"), (-1, 2, 0), "every parent before its children"),
-        (("a", "b"), (0, 0), "root must come first"),
-        ((), (), "root must come first"),
-    ],
-)
+@pytest.mark.parametrize(("names", "parents", "match"), [
+    ("ab", (-1,), "2 joint names need 2 parents"),
+    ("aa", (-1, 0), "a joint is named twice: a"),
+    ("abc", (-1, 2, 0), "every parent before its children"),
+    ("ab", (0, 0), "root must come first"),
+    ("", (), "root must come first"),
+])
 def test_bad_skeleton(names, parents, match):
     with pytest.raises(ValueError, match=match):
-        Skeleton(names, parents, torch.zeros(len(names), 3))
+        Skeleton(tuple(names), parents, torch.zeros(len(names), 3))
 
 
 def test_quaternions_of_three_decimals_are_near_enough_to_unit_length():
-    q = quaternions(0, 50, 20).float()
-    assert Clip(human(), (1e3 * q).round() / 1e3, torch.zeros(50, 3), 30).rotations.shape == (
-        50,
-        20,
-        4,
-    )
+    rounded = (1e3 * quaternions(0, 50, 20).float()).round() / 1e3
+    assert len(Clip(human(), rounded, torch.zeros(50, 3), 30)) == 50
 
 
 def test_bad_clip():

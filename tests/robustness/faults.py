@@ -3,15 +3,17 @@
 Each job is a small run of a command that writes files, in a process of its own.
 """
 
-import contextlib
+import ctypes
 import dataclasses
 import functools
 import hashlib
 import importlib
 import json
+import multiprocessing
 import os
 import random
 import re
+import resource
 import shutil
 import signal
 import subprocess
@@ -21,27 +23,19 @@ import time
 import zipfile
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+from multiprocessing.process import BaseProcess
 from pathlib import Path
 from typing import Annotated, Any
 from unittest import mock
 
-import torch
 import typer
-from archive_server import Server
 
-from experiments.tables import Result
-from toolkit import networks, training, view
-from toolkit.__main__ import VERBS
-from toolkit.datasets import procedural
-from toolkit.extra import store
-from toolkit.extra.engines import onnx
-from toolkit.extra.store import partition
-from toolkit.io import model_files, save as export
-from toolkit.motion import Clip
+from experiments.tables import Result, Store
 
 JOBS = {"fetch": "`data fetch` (from a local server)", "preprocess": "`preprocess`",
         "train": "`train --resume --refit`",
         "export": "export: `.bvh`, `.html`, `.glb`, `.onnx`, page"}
+FORK = multiprocessing.get_context("fork")  # Linux and macOS have it
 SMALL = 50_000  # bytes, largest file on the "full" disk
 NOBODY = 65534  # id of the user who owns nothing
 #: What a process does on an odd machine; it ends with the JSON text of the exit statuses.
@@ -118,11 +112,6 @@ class Score:
     half: int = 0  # half-written files
     equal: int = 0  # results after another run
 
-    @property
-    def passed(self) -> bool:
-        """Nothing was lost, half-written or different."""
-        return not self.lost and not self.half and self.equal == self.kills
-
 
 def run(
     kills: Annotated[int, typer.Option(min=1, help="Kills of each job, at random times.")] = 50,
@@ -131,26 +120,22 @@ def run(
                     typer.Option(help=f"Jobs: {', '.join(JOBS)}; default: all.")] = None,
     odd: Annotated[bool, typer.Option(
         "--odd", help="Odd machines in place of kills: little memory, no home and more.")] = False,
-    store: Annotated[bool, typer.Option(
-        "--store", help="Put these jobs into the result that the documentation shows.")] = False,
+    store: Store = False,
 ) -> None:
     """Files of jobs after kills and other faults, compared with those of undisturbed runs; exit
     status 1 if they differ.
     """
-    if not hasattr(os, "fork"):
-        raise ValueError("this measurement needs a system that can fork: Linux or macOS")
     if odd:
         _odd(store)
         return
     chosen = [*JOBS] if only is None else only.split(",")
     if unknown := [name for name in chosen if name not in JOBS]:
         raise ValueError(f"unknown job {unknown[0]!r}; known: {', '.join(JOBS)}")
-    torch.set_num_threads(1)
     failed = False
-    with tempfile.TemporaryDirectory() as made, contextlib.ExitStack() as ends:
+    with tempfile.TemporaryDirectory() as made:
         base = Path(made)
         base.chmod(0o755)
-        for job in prepare(base, ends):
+        for job in prepare(base):
             if job.name not in chosen:
                 continue
             score = killed(job, base, kills, seed)
@@ -158,12 +143,10 @@ def run(
             wrong = ", ".join(filter(None, (refused(job, base, full_disk),
                                             refused(job, base, read_only)))) or "ok"
             print(f"{job.name}: full disk, read-only folder: {wrong}", flush=True)
-            failed |= not score.passed or wrong != "ok"
+            failed |= bool(score.lost or score.half or score.equal < kills or wrong != "ok")
             if store:
-                stored = Result.load("faults")
-                new = {"job": JOBS[job.name], **vars(score), "faults": wrong}
-                rows = [new if row["job"] == new["job"] else row for row in stored.rows]
-                dataclasses.replace(stored, rows=rows).save()
+                row = {"job": JOBS[job.name], **vars(score), "faults": wrong}
+                dataclasses.replace(Result.load("faults"), rows=[row]).add()
     if failed:
         raise typer.Exit(1)
 
@@ -179,10 +162,11 @@ def killed(job: Job, base: Path, kills: int, seed: int = 0) -> Score:
         job.place(folder)
         child = start(job.work, folder)
         time.sleep(rng.uniform(0, lasts))
-        while patient and score.kills % 2 and not _writes(folder) and _runs(child):
+        while patient and score.kills % 2 and not _writes(folder) and child.is_alive():
             time.sleep(0.0002)
-        os.kill(child, signal.SIGKILL)
-        if not os.WIFSIGNALED(os.waitpid(child, 0)[1]):
+        child.kill()
+        child.join()
+        if child.exitcode != -signal.SIGKILL:
             lasts, patient = 0.97 * lasts, False  # the job was finished
             continue
         score.kills, patient = score.kills + 1, True
@@ -220,25 +204,28 @@ def refused(job: Job, base: Path, fault: Callable[[Path], None]) -> str:
     return ", ".join(wrong)
 
 
+def limit(kind: int, most: int) -> None:
+    """Take no more of a resource; a file that grows beyond it is an error, and no signal."""
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(kind, (most, most))
+
+
+def keep(rights: int) -> None:
+    """Give up all capabilities of root but these bits."""
+    libc = ctypes.CDLL(None)
+    if hasattr(libc, "capset"):
+        libc.capset((ctypes.c_uint32 * 2)(0x20080522, 0), (ctypes.c_uint32 * 6)(*[rights] * 3))
+
+
 def full_disk(_: Path) -> None:
     """Files are limited to `SMALL` bytes."""
-    import resource
-
-    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (SMALL, SMALL))
+    limit(resource.RLIMIT_FSIZE, SMALL)
 
 
 def read_only(folder: Path) -> None:
-    """Nothing can be written into the folder, not even by root, who gives up CAP_DAC_OVERRIDE."""
-    import ctypes
-
+    """Nothing can be written into the folder, not even by root."""
     folder.chmod(0o555)
-    libc = ctypes.CDLL(None)
-    if hasattr(libc, "capset"):
-        header, sets = (ctypes.c_uint32 * 2)(0x20080522, 0), (ctypes.c_uint32 * 6)()
-        libc.capget(header, sets)
-        sets[0] &= ~(1 << 1)
-        libc.capset(header, sets)
+    keep(0)
 
 
 def _bad(job: Job, folder: Path, reference: dict[str, object]) -> tuple[list[str], list[str]]:
@@ -269,37 +256,29 @@ def _writes(folder: Path) -> bool:
     return any(path.suffix != ".lock" for path in folder.rglob(".*"))
 
 
-def _runs(child: int) -> bool:
-    return os.waitid(os.P_PID, child, os.WEXITED | os.WNOHANG | os.WNOWAIT) is None
+def start(work: Callable[[Path], object], folder: Path) -> BaseProcess:
+    """Fork a process that does the work; its messages go to a file beside the folder."""
 
-
-def start(work: Callable[[Path], object], folder: Path) -> int:
-    """Fork a process that does the work; returns its id."""
-    sys.stdout.flush()
-    if child := os.fork():
-        return child
-    status = 1
-    try:
-        said = os.open(folder.with_suffix(".log"), os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
-        os.dup2(said, 2)
-        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+    def child() -> None:
+        with folder.with_suffix(".log").open("w") as said, open(os.devnull, "w") as nothing:
+            os.dup2(said.fileno(), 2)
+            os.dup2(nothing.fileno(), 1)
         try:
             work(folder)
-            status = 0
-        except SystemExit as stopped:
-            status = stopped.code or 0
         except (ValueError, OSError) as error:
             print(f"error: {error}", file=sys.stderr)
-            status = 2
-        sys.stderr.flush()
-    finally:
-        os._exit(status)
+            sys.exit(2)
+
+    process = FORK.Process(target=child)
+    process.start()
+    return process
 
 
-def ended(child: int, folder: Path) -> tuple[int, str]:
+def ended(process: BaseProcess, folder: Path) -> tuple[int, str]:
     """Exit status and messages of a process."""
-    status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
-    return status, folder.with_suffix(".log").read_text(encoding="utf-8", errors="replace")
+    process.join()
+    said = folder.with_suffix(".log").read_text(encoding="utf-8", errors="replace")
+    return process.exitcode, said
 
 
 def finish(work: Callable[[Path], object], folder: Path) -> None:
@@ -326,23 +305,14 @@ class Machine:
 
 def machines(folder: Path) -> list[Machine]:
     """The odd machines; ``folder`` takes the module of the clock that goes back."""
-    import ctypes
-    import resource
-
-    def limit(kind: int, most: int) -> Callable[[], None]:
-        def set_limit() -> None:
-            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-            resource.setrlimit(kind, (most, most))
-        return set_limit
-
     def nobody() -> None:
         """Another user, who may read all files: Python itself may be in root's home."""
-        libc, read = ctypes.CDLL(None), 1 << 2  # CAP_DAC_READ_SEARCH
+        libc = ctypes.CDLL(None)
         libc.prctl(8, 1, 0, 0, 0)  # keeps capabilities
         os.setgroups([])
         os.setgid(NOBODY)
         os.setuid(NOBODY)
-        libc.capset((ctypes.c_uint32 * 2)(0x20080522, 0), (ctypes.c_uint32 * 6)(read, read, read))
+        keep(1 << 2)  # CAP_DAC_READ_SEARCH
         libc.prctl(47, 2, 2, 0, 0)  # also in a new program
 
     def small_disk() -> None:
@@ -358,9 +328,10 @@ def machines(folder: Path) -> list[Machine]:
     (folder / "sitecustomize.py").write_text(BACK, encoding="utf-8")
     path = os.pathsep.join((str(folder), os.environ.get("PYTHONPATH", "")))
     found = [
-        Machine("3 GB of memory", before=limit(resource.RLIMIT_AS, 3 << 30)),
-        Machine("24 open files", before=limit(resource.RLIMIT_NOFILE, 24)),
-        Machine("files of at most 200 kB", before=limit(resource.RLIMIT_FSIZE, 200_000)),
+        Machine("3 GB of memory", before=functools.partial(limit, resource.RLIMIT_AS, 3 << 30)),
+        Machine("24 open files", before=functools.partial(limit, resource.RLIMIT_NOFILE, 24)),
+        Machine("files of at most 200 kB",
+                before=functools.partial(limit, resource.RLIMIT_FSIZE, 200_000)),
         Machine("C locale, no home, no display", bare),
         Machine("compiled code cannot be stored", {"NUMBA_CACHE_DIR": "/proc/none"}),
         Machine("OMP_NUM_THREADS=-3", {"OMP_NUM_THREADS": "-3"}),
@@ -406,6 +377,8 @@ def tried(machine: Machine, folder: Path, data: Path) -> dict[str, Any]:
 
 
 def _odd(store: bool) -> None:
+    from toolkit.datasets import procedural
+
     with tempfile.TemporaryDirectory() as made:
         base = Path(made)
         base.chmod(0o755)
@@ -428,8 +401,20 @@ def _odd(store: bool) -> None:
 # The jobs --------------------------------------------------------------------------------------
 
 
-def prepare(base: Path, ends: contextlib.ExitStack) -> list[Job]:
+def prepare(base: Path) -> list[Job]:
     """The jobs, and the files that they read."""
+    import torch
+    from archive_server import Server
+
+    from toolkit import networks, training, view
+    from toolkit.__main__ import VERBS
+    from toolkit.datasets import procedural
+    from toolkit.extra import store
+    from toolkit.extra.engines import onnx
+    from toolkit.extra.store import partition
+    from toolkit.io import model_files, save as export
+
+    torch.set_num_threads(1)
     root, stored, archive = base / "data", base / "store", base / "data.zip"
     for verb in ("data", "preprocess", "train"):
         importlib.import_module(VERBS[verb][0].split(":")[0])  # here, and not in the time of a job
@@ -438,7 +423,8 @@ def prepare(base: Path, ends: contextlib.ExitStack) -> list[Job]:
     with zipfile.ZipFile(archive, "w") as packed:
         for path in sorted(root.iterdir()):
             packed.write(path, path.name)
-    address = ends.enter_context(_serving(archive.read_bytes()))
+    server = Server(archive.read_bytes(), pause=0.01)
+    FORK.Process(target=server.serve_forever, daemon=True).start()
     digest = hashlib.sha256(archive.read_bytes()).hexdigest()
     sizes = networks.Sizes(hidden=64, film_channels=8, film_kernel=5, film_dense=64)
     quick = functools.partial(training.Config.quick, save_every=0.1, sizes=sizes)
@@ -446,7 +432,7 @@ def prepare(base: Path, ends: contextlib.ExitStack) -> list[Job]:
     model, bank = training.pretrained()
 
     def fetch(folder: Path) -> None:
-        _command("data", "fetch", "100style", "--root", folder / "100style", "--from", address,
+        _command("data", "fetch", "100style", "--root", folder / "100style", "--from", server.url,
                  "--sha256", digest, "--yes")
 
     def preprocess(folder: Path) -> None:
@@ -458,7 +444,7 @@ def prepare(base: Path, ends: contextlib.ExitStack) -> list[Job]:
             _command("train", "--data", stored, "--out", folder / "run.safetensors", "--small",
                      "--epochs", 4, "--refit", 5, "--resume")
 
-    def write(clip: Clip, folder: Path) -> None:
+    def write(clip, folder: Path) -> None:
         for suffix in (".bvh", ".html", ".glb"):
             export.save(clip, folder / f"walk{suffix}", title=clip.style)
         onnx.save(model, folder / "network.onnx", bank)
@@ -488,18 +474,3 @@ def _command(*words: object) -> None:
 
     if status := main([str(word) for word in words]):
         raise SystemExit(status)
-
-
-@contextlib.contextmanager
-def _serving(content: bytes) -> Iterator[str]:
-    """Address of a slow server of one file in its own process."""
-    server = Server(content, pause=0.01)
-    child = os.fork()
-    if not child:
-        server.serve_forever()
-    try:
-        yield server.url
-    finally:
-        server.server_close()
-        os.kill(child, signal.SIGKILL)
-        os.waitpid(child, 0)

@@ -4,19 +4,18 @@ falls and stops.
 
 import math
 from dataclasses import dataclass, fields
-from typing import Annotated
+from typing import Annotated, NamedTuple
 
 import torch
 import typer
 from torch import Tensor
 from tqdm import tqdm
 
-from experiments.tables import Result
+from experiments.tables import Result, Store
 from toolkit import published, runtime
 from toolkit.cli import verbs
 from toolkit.evaluation import metrics
-from toolkit.motion import forward_kinematics
-from toolkit.networks.bank import StyleBank
+from toolkit.motion import Skeleton, forward_kinematics
 from toolkit.runtime import FPS, CharacterState, Command
 
 CHUNK = 300  # frames whose poses are in memory at a time
@@ -24,9 +23,8 @@ MISBEHAVES = "Drunk"  # style 23 of the published parameters, which is known to 
 #: Kinds of commands: share of the segments, lowest and highest speed in m/s, and facing.
 WAYS = {
     "stand": (0.15, 0.0, 0.0, "ahead"), "walk": (0.3, 0.5, 1.5, "ahead"),
-    "run": (0.1, 2.0, 3.5, "ahead"),
-    "wander": (0.15, 0.5, 1.5, "ahead"), "strafe": (0.15, 0.5, 1.3, "elsewhere"),
-    "keep": (0.15, 0.5, 1.5, "zero"),
+    "run": (0.1, 2.0, 3.5, "ahead"), "wander": (0.15, 0.5, 1.5, "ahead"),
+    "strafe": (0.15, 0.5, 1.3, "elsewhere"), "keep": (0.15, 0.5, 1.5, "zero"),
 }
 SEGMENT = (0.5, 8.0)  # seconds of a segment with one kind of command
 WOBBLE = 1.0  # radians per square root of a second, random walk of the heading in "wander"
@@ -51,9 +49,7 @@ def run(
                     typer.Option(help=f"Styles to exclude; else {MISBEHAVES}.")] = None,
     seconds: Annotated[float, typer.Option(min=1.0, help="Duration for each style.")] = 600.0,
     seed: Annotated[int, typer.Option(help="Seed of commands and blends.")] = 0,
-    store: Annotated[bool,
-                     typer.Option("--store",
-                                  help="Write the summary into docs/results/soak.json.")] = False,
+    store: Store = False,
 ) -> None:
     """Falls and stops of every style with random commands and blends, compared with limits;
     status 1 if exceeded.
@@ -63,22 +59,26 @@ def run(
     bank = bank.select(name for name in bank if name not in without)
     course = Course.random(len(bank), round(seconds * FPS), seed)
     seen = watch(runtime.compile(net), bank.vectors, course)
-    rest = net.layout.skeleton.rest_positions[:, 1]
-    hips = net.layout.skeleton.role("hips")
-    rows = judge(seen, course, bank, float(rest[hips] - rest.min()))
-    print("\n".join(table(rows)))
+    found = judge(seen, course, net.layout.skeleton)
     kind = "published" if parameters else "embedded" if model is None else "trained"
-    total = {"model": kind, "styles": len(rows), "frames": seen.finite.numel()}
-    total |= {key: sum(row[key] for row in rows) for key in ("bad", "falls", "stuck", "glides")}
-    passed = sum(not row["failed"] for row in rows)
-    print(f"{passed} of {len(rows)} styles pass {seconds:g} s each: "
-          + ", ".join(f"{value} {key}" for key, value in total.items()))
+    total = {"model": kind, "styles": len(bank), "frames": seen.finite.numel()}
+    for what, happens in found.items():
+        total[what] = int((happens if what == "bad" else begins(happens)).sum())
+        for i in happens.any(0).nonzero()[:, 0].tolist():
+            frame = int(happens[:, i].int().argmax())
+            blend = " + ".join(
+                f"{share:.0%} {bank.names[style]}" for style, share
+                in zip(course.styles[frame, i], course.shares[frame, i], strict=True)
+                if share > 0.005)
+            print(f"{bank.names[i]}: {what} from {frame / FPS:.1f} s on, {blend}")
+    result = Result("soak", f"Every style for {seconds:g} s under random commands and blends, "
+                    f"seed {seed}",
+                    "python -m experiments soak [--published DATA/lpn_film_100style] --store",
+                    COLUMNS, [total])
+    print(f"{result.about}\n\n{result.markdown()}")
     if store:
-        Result("soak",
-               f"Every style for {seconds:g} s under random commands and blends, seed {seed}",
-               "python -m experiments soak [--published DATA/lpn_film_100style] --store", COLUMNS,
-               [total]).add()
-    if any(row["failed"] for row in rows):
+        result.add()
+    if any(total[what] for what in found):
         raise typer.Exit(1)
 
 
@@ -116,8 +116,7 @@ class Course:
         return torch.einsum("nk,nkd->nd", self.shares[frame], vectors[self.styles[frame]])
 
 
-@dataclass(frozen=True, eq=False)
-class Watched:
+class Watched(NamedTuple):
     """Observations of N characters over F frames; metres and seconds."""
 
     finite: Tensor  # [F, N] bool
@@ -140,64 +139,38 @@ def watch(model, vectors: Tensor, course: Course) -> Watched:
                 state = runtime.step(model, state.with_style(course.blend(frame, vectors)), command)
                 states.append(state)
             parts.append(_look(model, states))
-    return Watched(**{name: torch.cat([part[name] for part in parts]) for name in parts[0]})
+    return Watched(*(torch.cat(part) for part in zip(*parts, strict=True)))
 
 
-def _look(model, states: list[CharacterState]) -> dict[str, Tensor]:
-    """The arrays of `Watched` for some frames."""
+def _look(model, states: list[CharacterState]) -> Watched:
+    """What is seen of some frames."""
     skeleton = model.layout.skeleton
     rotations, roots = (torch.stack(side)
                         for side in zip(*(runtime.pose(model, s) for s in states), strict=True))
     positions = forward_kinematics(skeleton, rotations, roots)[1]
     numbers = torch.stack([torch.cat([getattr(s, name).flatten(1) for name in CARRIED], 1)
                            for s in states])
-    return {
-        "finite": numbers.isfinite().all(-1) & positions.isfinite().flatten(2).all(-1),
-        "upright": metrics.on_feet(skeleton, positions[..., 1]),
-        "hips": positions[..., skeleton.role("hips"), 1],
-        "root": torch.stack([s.root[:, :2] for s in states]),
-        "contact": torch.stack([s.contacts > 0.5 for s in states]),
-    }
+    return Watched(
+        finite=numbers.isfinite().all(-1) & positions.isfinite().flatten(2).all(-1),
+        upright=metrics.on_feet(skeleton, positions[..., 1]),
+        hips=positions[..., skeleton.role("hips"), 1],
+        root=torch.stack([s.root[:, :2] for s in states]),
+        contact=torch.stack([s.contacts > 0.5 for s in states]),
+    )
 
 
-def judge(seen: Watched, course: Course, bank: StyleBank, rest: float) -> list[dict]:
-    """A row of measures per style; ``failed`` says what is wrong, and is empty if nothing is.
+def judge(seen: Watched, course: Course, skeleton: Skeleton) -> dict[str, Tensor]:
+    """In which frames ``[F, N]`` or windows ``[W, N]`` something is wrong, by what it is.
 
     A character is down if it is not upright or the height of its hips is outside of `LOW` to `HIGH`
-    times that at ``rest``. In a window with commands for steady walking it is stuck if, after the
+    times that at rest. In a window with commands for steady walking it is stuck if, after the
     time for a turn, it moves less than `STUCK` of the commanded distance, and glides if it makes no
     step. Slides are found by `toolkit.evaluation.defects`.
     """
-    down = seen.finite & ~(seen.upright & (seen.hips > LOW * rest) & (seen.hips < HIGH * rest))
-    walking, got, steps = _windows(seen, course)
-    events = {"bad": ~seen.finite, "falls": down, "stuck": walking & (got < STUCK),
-              "glides": walking & (steps == 0)}
-    rows = []
-    for i, name in enumerate(bank):
-        row, wrong = {"style": name, "failed": ""}, []
-        for what, happens in events.items():
-            now = happens[:, i]
-            begins = now & ~torch.cat((torch.zeros_like(now[:1]), now[:-1]))
-            row[what] = int(now.sum() if what == "bad" else begins.sum())
-            if now.any():
-                frame = int(now.int().argmax())
-                blend = _blend(course, frame, i, bank)
-                wrong.append(f"{what} from {frame / FPS:.1f} s on, {blend}")
-        row |= {"low": float(seen.hips[:, i].min()), "high": float(seen.hips[:, i].max())}
-        rows.append(row | {"failed": "; ".join(wrong)})
-    return rows
+    height = skeleton.rest_positions[:, 1]
+    share = seen.hips / (height[skeleton.role("hips")] - height.min())
+    up = seen.upright & (share > LOW) & (share < HIGH)
 
-
-def _blend(course: Course, frame: int, i: int, bank: StyleBank) -> str:
-    """The blend of a character in a frame, in words."""
-    parts = zip(course.styles[frame, i].tolist(), course.shares[frame, i].tolist(), strict=True)
-    return " + ".join(f"{share:.0%} {bank.names[style]}" for style, share in parts if share > 0.005)
-
-
-def _windows(seen: Watched, course: Course) -> tuple[Tensor, Tensor, Tensor]:
-    """For every window ``[W, N]``: whether it has steady walking, share of the commanded distance,
-    number of landings.
-    """
     length = min(round(WINDOW * FPS), len(seen.root) - 1)
 
     def total(series: Tensor) -> Tensor:
@@ -210,11 +183,15 @@ def _windows(seen: Watched, course: Course) -> tuple[Tensor, Tensor, Tensor]:
     walking &= asked.norm(dim=-1) >= STEADY / length * total(speed)
     turned = min(round(TURN * FPS), length - 1)
     moved = (seen.root[length:] - seen.root[turned : turned - length]) * (FPS / (length - turned))
-    landed = torch.cat((torch.zeros_like(seen.contact[:1]), seen.contact[1:] & ~seen.contact[:-1]))
-    return (
-        walking, (moved * asked).sum(-1) / asked.square().sum(-1).clamp_min(1e-9),
-        total(landed.sum(-1)).round()
-    )
+    got = (moved * asked).sum(-1) / asked.square().sum(-1).clamp_min(1e-9)
+    landings = total(begins(seen.contact).sum(-1)).round()
+    return {"bad": ~seen.finite, "falls": seen.finite & ~up, "stuck": walking & (got < STUCK),
+            "glides": walking & (landings == 0)}
+
+
+def begins(happens: Tensor) -> Tensor:
+    """Where something begins that happens in frames ``[F, ...]``; also in the first."""
+    return happens & ~torch.cat((torch.zeros_like(happens[:1]), happens[:-1]))
 
 
 def _steering(frames: int, draw: torch.Generator) -> tuple[Tensor, Tensor]:
@@ -228,14 +205,11 @@ def _steering(frames: int, draw: torch.Generator) -> tuple[Tensor, Tensor]:
         _, slow, fast, look = WAYS[name]
         length, speed, heading, elsewhere = torch.rand(4, generator=draw).tolist()
         stop = min(frames, start + round(FPS * (SEGMENT[0] + length * (SEGMENT[1] - SEGMENT[0]))))
-        turned = torch.randn(stop - start,
-                             generator=draw).cumsum(0) * (WOBBLE / FPS**0.5
-                                                          if name == "wander" else 0.0)
-        ahead = _direction(math.tau * heading + turned)
+        wobble = torch.randn(stop - start, generator=draw).cumsum(0) * (WOBBLE / FPS**0.5)
+        ahead = _direction(math.tau * heading + wobble * (name == "wander"))
         velocity[start:stop] = (slow + speed * (fast - slow)) * ahead
-        facing[start:stop] = {"ahead": ahead,
-                              "elsewhere": _direction(torch.tensor(math.tau * elsewhere)),
-                              "zero": torch.zeros(2)}[look]
+        facing[start:stop] = {"ahead": ahead, "zero": torch.zeros(2),
+                              "elsewhere": _direction(torch.tensor(math.tau * elsewhere))}[look]
         start = stop
     return velocity, facing
 
@@ -249,12 +223,11 @@ def _blending(home: int, styles: int, frames: int, draw: torch.Generator) -> tup
     while start < frames:
         corners = torch.stack((alone, *(_barycentric(draw) for _ in range(2)), alone))
         others[start:] = torch.tensor([home, *torch.randint(styles, (2,), generator=draw).tolist()])
-        for here, there, length in zip(corners, corners[1:], torch.rand(3, generator=draw).tolist(),
-                                       strict=False):
+        lengths = torch.rand(3, generator=draw).tolist()
+        for here, there, length in zip(corners[:-1], corners[1:], lengths, strict=True):
             count = round(FPS * (KEYS[0] + length * (KEYS[1] - KEYS[0])))
-            path = torch.lerp(here, there,
-                              torch.linspace(0.0, 1.0, count)[:, None])[: max(0, frames - start)]
-            shares[start : start + len(path)] = path
+            path = torch.lerp(here, there, torch.linspace(0.0, 1.0, count)[:, None])
+            shares[start : start + count] = path[: max(0, frames - start)]
             start += count
     return others, shares
 
@@ -267,15 +240,3 @@ def _barycentric(draw: torch.Generator) -> Tensor:
 
 def _direction(angle: Tensor) -> Tensor:
     return torch.stack((angle.sin(), angle.cos()), -1)
-
-
-def table(rows: list[dict]) -> list[str]:
-    """Lines of the table: a row per style, then the failures."""
-    keys = [key for key in rows[0] if key != "failed"]
-    lines = [f"{'style':<20}" + "".join(f"{key:>8}" for key in keys[1:])]
-    for row in rows:
-        cells = (f"{row[key]:>8.2f}" if isinstance(row[key], float) else f"{row[key]:>8}"
-                 for key in keys[1:])
-        lines.append(f"{row['style']:<20}" + "".join(cells))
-    lines.append("bad: frames with a value that is not finite; low, high: of the hips, m")
-    return lines + [f"{row['style']}: {row['failed']}" for row in rows if row["failed"]]

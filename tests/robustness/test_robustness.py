@@ -2,6 +2,7 @@
 `faults`.
 """
 
+import contextlib
 import os
 import subprocess
 import sys
@@ -21,26 +22,12 @@ def readers(tmp_path_factory):
     return targets.make(tmp_path_factory.mktemp("fuzz"))
 
 
-def refused(read, path):
-    with pytest.raises((ValueError, OSError)) as caught:
-        read(path)
-    message = str(caught.value)
-    assert message.isprintable()
-    assert str(path.parent) in message or path.name in message
-    return message
-
-
 @pytest.mark.parametrize("target", fuzz.TARGETS)
 def test_mutated_inputs_are_read_or_refused_in_one_line(readers, target):
     tally = fuzz.fuzz(readers[target], 36, seed=1)
     assert not tally.failures
     assert tally.counts["refused"] > 1
     assert tally.counts["deep"]
-
-
-def load(path):
-    """A BVH file in centimetres with Y up."""
-    return bvh.load(path, unit=0.01, up="y")
 
 
 def test_a_small_bvh_takes_little_memory_whatever_it_claims(tmp_path):
@@ -51,22 +38,24 @@ def test_a_small_bvh_takes_little_memory_whatever_it_claims(tmp_path):
     path.write_text(f"HIERARCHY\nROOT r\n{{\n{chain}}}\nMOTION\nFrames: {rows}\nFrame Time: 0.1\n"
                     + "1\n" * rows)
     tracemalloc.start()
-    assert f"expected {3 * joints} numbers, got 1" in refused(load, path)
+    with pytest.raises(bvh.BVHError, match=rf"walk\.bvh.*expected {3 * joints} numbers, got 1"):
+        bvh.load(path)
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert peak < 60 * path.stat().st_size
 
 
 def test_joints_without_channels_times_frames_are_not_taken_at_their_word(tmp_path):
-    joints, rows = 2000, 2000
+    joints = 2000
     chain = "".join(f"JOINT j{i}\n{{\n" for i in range(joints)) + "}\n" * joints
     path = tmp_path / "walk.bvh"
-    for frames in (100, rows):
+    said = r"walk\.bvh.*2001 joints in 2000 frames, but only 1 channels"
+    for frames, loads in ((100, contextlib.nullcontext()),
+                          (2000, pytest.raises(bvh.BVHError, match=said))):
         motion = f"MOTION\nFrames: {frames}\nFrame Time: 0.1\n" + "1\n" * frames
         path.write_text(f"HIERARCHY\nROOT r\n{{\nCHANNELS 1 Xrotation\n{chain}}}\n{motion}")
-        if frames == 100:
-            assert len(load(path)) == 100
-    assert "2001 joints in 2000 frames, but only 1 channels" in refused(load, path)
+        with loads:
+            assert len(bvh.load(path, unit=0.01, up="y")) == frames
 
 
 def test_two_writers_of_one_file_do_not_mix(tmp_path):
@@ -115,12 +104,9 @@ for opened in (files.atomic_write, lambda path: path.open("wb")):
 @needs_fork
 def test_a_writer_in_place_is_found_out():
     tests = Path(__file__).parents[1]
-    environment = os.environ | {"OMP_NUM_THREADS": "1",
-                                "PYTHONPATH": f"{tests.parent}{os.pathsep}{tests}"}
+    environment = os.environ | {"PYTHONPATH": f"{tests.parent}{os.pathsep}{tests}"}
     done = subprocess.run([sys.executable, "-c", WRITERS], env=environment, capture_output=True,
                           text=True)
     whole, in_place = done.stdout.splitlines()
-    assert "half=0" in whole
+    assert whole == "Score(kills=5, lost=0, half=0, equal=5)"
     assert "half=0" not in in_place
-    assert "kills=5" in whole
-    assert "equal=5" in whole

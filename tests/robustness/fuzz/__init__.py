@@ -69,8 +69,7 @@ def run(
     target: Annotated[str, typer.Option(help=f"{', '.join(TARGETS)}, or all.")] = "all",
     seed: Annotated[int, typer.Option(help="The same seed gives the same inputs.")] = 0,
     out: Annotated[Path, typer.Option(help="Folder for inputs with failures.")] = Path("out/fuzz"),
-    store: Annotated[bool, typer.Option(
-        "--store", help="Write the result that the documentation shows.")] = False,
+    store: tables.Store = False,
 ) -> None:
     """Mutated files and command lines for all readers: each must be read or refused with one line,
     else exit status 1.

@@ -3,8 +3,7 @@
 import io
 import json
 import random
-import struct
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -19,9 +18,12 @@ from toolkit.io.recording import Recording
 
 ANIMATIONS = (None,) * 9 + (0, "0", 1, -1, "Walk", "", "9" * 5000, "\ud800", "a\nb", "²", True)
 
-def make(name: str, folder: Path) -> list[Reader]:
-    """Readers of one format."""
-    return {"gltf": _gltf, "fbx": _fbx, "npz": _npz}[name](folder)
+
+def _tree(names: Sequence[str], parents: Sequence[int]) -> None:
+    """Checks the joints that were read."""
+    assert len(set(names)) == len(names), "names that repeat"
+    assert parents[0] == -1, "no root"
+    assert all(0 <= p < j for j, p in enumerate(parents[1:], 1)), "a parent after its child"
 
 
 def _checked(read: Callable[[Path], Recording]) -> Callable[[Path], None]:
@@ -34,12 +36,10 @@ def _checked(read: Callable[[Path], Recording]) -> Callable[[Path], None]:
         assert made.root_positions.shape == (frames, 3), "another number of root positions"
         assert frames, "no frame"
         assert frames * joints <= max(path.stat().st_size, 2 * MOST), "more than the file can hold"
-        assert len(set(made.names)) == len(made.names) == joints, "names that repeat"
+        assert len(made.names) == joints, "another number of names"
+        _tree(made.names, made.parents)
         assert all(name and name.isprintable()
                    for name in (*made.names, *made.doubts)), "a name that cannot be printed"
-        assert made.parents[0] == -1, "no root"
-        assert all(0 <= p < j
-                   for j, p in enumerate(made.parents[1:], 1)), "a parent after its child"
         assert all(x.isfinite().all()
                    for x in (made.rotations, made.offsets, made.root_positions)), "not finite"
         assert float((made.rotations.norm(dim=-1) - 1).abs().max()) < 1e-3, "no unit quaternion"
@@ -82,14 +82,12 @@ def _gltf(folder: Path) -> list[Reader]:
         if rng.random() < 0.2:
             return mutations.flipped(rng, data)
         size = int.from_bytes(data[12:16], "little")
-        document, body = json.loads(data[20 : 20 + size]), bytearray(data[28 + size :])
+        document, body = json.loads(data[20 : 20 + size]), data[28 + size :]
         if rng.random() < 0.3:
-            at = rng.randrange(len(body) // 4) * 4
-            body[at : at + 4] = struct.pack(
-                "<f", rng.choice((float("nan"), float("inf"), 0, -1, 1e30, 1e38, 1e-40, 0.5)))
+            body = mutations.number(rng, body)
         for _ in range(rng.choice((0, 1, 1, 1, 2, 4))):
             document = mutations.tree(rng, document)
-        return glb(document, bytes(body)).replace(b'"@deep"', mutations.DEEP.encode())
+        return glb(document, body)
 
     deep = "^(?!.*(neither|expected glTF|JSON|cut off))"
     return [Reader("gltf", folder / "a.glb", _animated(gltf.read), seeds, mutate, deep),
@@ -129,20 +127,15 @@ def _whole_mesh(path: Path) -> None:
     assert all(np.isfinite(x).all()
                for x in (made.points, made.weights, made.rest, made.bind)), "not finite"
     assert np.abs(made.weights.sum(1) - 1).max(initial=0.0) < 1e-4, "weights that do not sum to 1"
-    assert made.parents[0] == -1, "no root"
-    assert all(0 <= p < j for j, p in enumerate(made.parents[1:], 1)), "a parent after its child"
-    assert len(set(made.names)) == joints, "names that repeat"
+    _tree(made.names, made.parents)
     assert count <= path.stat().st_size, "more than the file can hold"
 
 
 def _fbx(folder: Path) -> list[Reader]:
     rng = np.random.default_rng(0)
-    models = {"hips": ("", {}),
-              "spine": ("hips",
-                        {"Lcl_Translation": [0.0, 10.0, 0.0], "PreRotation": [0.0, 90.0, 0.0]}),
-              "head": ("spine",
-                       {"Lcl_Translation": [0.0, 10.0, 0.0], "RotationOrder": [3],
-                        "InheritType": [2]})}
+    up = {"Lcl_Translation": [0.0, 10.0, 0.0]}
+    models = {"hips": ("", {}), "spine": ("hips", up | {"PreRotation": [0.0, 90.0, 0.0]}),
+              "head": ("spine", up | {"RotationOrder": [3], "InheritType": [2]})}
     curves = {(name, what, axis): (np.arange(4) / 30, rng.normal(0, 9, 4), [8 | 0x400] * 2 + [4, 8],
                                    rng.normal(size=(4, 4)))
               for name, what in (("hips", "Lcl Translation"), ("spine", "Lcl Rotation"))
@@ -194,3 +187,6 @@ def _npz(folder: Path) -> list[Reader]:
     return [Reader("npz", folder / "a.npz", _checked(npz.read), seeds, arrays, deep),
             Reader("npy", folder / "a.npy", _checked(npz.read), (plain.getvalue(),),
                    mutations.flipped, deep)]
+
+
+MAKERS = {"gltf": _gltf, "fbx": _fbx, "npz": _npz}

@@ -2,7 +2,6 @@
 
 import contextlib
 import copy
-import functools
 import hashlib
 import io
 import itertools
@@ -84,8 +83,7 @@ def make(folder: Path, target: str = "all") -> dict[str, list[Reader]]:
     use.
     """
     makers = {"bvh": _bvh, "csv": _csv, "model": _model, "store": _store, "cli": _cli,
-              "shot": _shot}
-    makers |= {name: functools.partial(foreign.make, name) for name in ("gltf", "fbx", "npz")}
+              "shot": _shot, **foreign.MAKERS}
     if target not in (*makers, "all"):
         raise ValueError(f"unknown target {target!r}; known: {', '.join(makers)}, all")
     folder = folder.resolve()
@@ -236,19 +234,13 @@ def _shot(folder: Path) -> list[Reader]:
                         "walls": [[[5, 5], [6, 6]]]}).encode()
 
     def read(path: Path) -> None:
-        for asked in shots.Scene.load(path).shots[:4]:
-            course, heading = asked.plan(bank)
-            assert np.isfinite([*course.distance, *course.speed]).all(), "a plan that is not finite"
-            assert np.isfinite(heading.angle(course.distance[-1],
-                                             (1.0, 1.0))), "a heading that is not finite"
+        with named(path):  # the bank, which may lack a style, does not know the file
+            for asked in shots.Scene.load(path).shots[:4]:
+                course, heading = asked.plan(bank)
+                angle = heading.angle(course.distance[-1], (1.0, 1.0))
+                assert np.isfinite([*course.distance, *course.speed, angle]).all(), "not finite"
 
-    def named(path: Path) -> None:
-        try:
-            read(path)
-        except ValueError as error:  # of a style: the bank does not know the file
-            raise error if str(path) in str(error) else ValueError(f"{path}: {error}") from None
-
-    return [Reader("shot", folder / "shots.json", named, (scene,), mutations.json_text,
+    return [Reader("shot", folder / "shots.json", read, (scene,), mutations.json_text,
                    "(?!.*not a JSON)")]
 
 
