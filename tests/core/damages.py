@@ -1,14 +1,12 @@
 """Damages of a motion, each of a given size: what measures and the gate must see."""
 
+import dataclasses
 import math
 
 import torch
 
 from toolkit.motion import rotations as R
-from toolkit.motion.ik import two_bone
-from toolkit.motion.skeleton import local_rotations
-
-UPPER = "shoulder", "elbow", "hand"
+from toolkit.motion.ik import turn_arms, two_bone
 
 
 def noise(clip, degrees, seed=0):
@@ -52,8 +50,7 @@ def leg(clip, metres, side="left"):
     offsets = skeleton.offsets.clone()
     foot = skeleton.role(f"{side}_foot")
     offsets[foot] *= 1 + metres / offsets[foot].norm()
-    made = type(skeleton)(skeleton.names, skeleton.parents, offsets, skeleton.roles, skeleton.ends)
-    return clip.replace(skeleton=made)
+    return clip.replace(skeleton=dataclasses.replace(skeleton, offsets=offsets))
 
 
 def frozen(clip, share):
@@ -68,18 +65,13 @@ def frozen(clip, share):
 
 def through(clip, share, side="left"):
     """A hand is led towards the axis of the trunk, by a share of its distance."""
-    s, p = clip.skeleton, clip.global_positions
-    arm = [s.role(f"{side}_{part}") for part in UPPER]
-    target = p[:, arm[2]].lerp(p[:, s.trunk[0]], share)
-    elbow, hand = two_bone(*(p[:, j] for j in arm), target)
-    q = clip.global_rotations.clone()
-    for joint, below, to in ((arm[0], arm[1], elbow), (arm[1], arm[2], hand)):
-        here = p[:, joint] if joint == arm[0] else elbow
-        old = R.rotate(q[:, joint], s.offsets[below].expand(len(clip), 3))
-        q[:, joint] = R.multiply(R.between(old, to - here), q[:, joint])
-    local = local_rotations(s, q)
-    made = clip.rotations.clone()
-    made[:, arm[:2]] = local[:, arm[:2]]
+    skeleton, wanted = clip.skeleton, clip.global_positions.clone()
+    shoulder, elbow, hand = (skeleton.role(f"{side}_{part}")
+                             for part in ("shoulder", "elbow", "hand"))
+    target = wanted[:, hand].lerp(wanted[:, skeleton.trunk[0]], share)
+    wanted[:, elbow], wanted[:, hand] = two_bone(
+        wanted[:, shoulder], wanted[:, elbow], wanted[:, hand], target)
+    made = turn_arms(skeleton, clip.rotations, clip.root_positions, wanted)
     return clip.replace(rotations=made)
 
 

@@ -12,20 +12,20 @@ from toolkit import networks
 from toolkit.networks import phase
 from toolkit.training import loss
 
-OTHERS = [name for name in networks.MODELS if not name.startswith("lpn")]
 SHARED = ("trajectory", "joints", "contacts")
 
 
-@pytest.fixture
+@pytest.fixture(scope="module", params=networks.MODELS)
+def model(request, two_styles):
+    torch.manual_seed(0)
+    made = networks.build(request.param, two_styles.layout, 2, TINY)
+    made.normalise(networks.normalisers(made.layout, two_styles))
+    return made
+
+
+@pytest.fixture(scope="module")
 def data(two_styles):
     return two_styles
-
-
-def build(name: str, data: tk.features.Features) -> networks.Model:
-    torch.manual_seed(0)
-    model = networks.build(name, data.layout, 2, TINY)
-    model.normalise(networks.normalisers(model.layout, data))
-    return model
 
 
 def test_the_global_phase_is_the_right_feet_of_a_walk():
@@ -44,29 +44,24 @@ def test_the_global_phase_is_the_right_feet_of_a_walk():
     assert float(((mirrored - angle) % math.tau - math.pi).abs().max()) < 1e-3
 
 
-def test_observing_keeps_shared_columns_and_makes_the_phase_the_models_own(data):
+def test_observing_keeps_shared_columns_and_makes_the_phase_the_models_own(model, data):
     p, z = data.phases["Zombie"], data.outputs["Zombie"]
-    blocks = data.layout.unpack_output(z)
-    for name in networks.MODELS:
-        model = build(name, data)
-        own, target = model.observe(p, z)
-        assert (own.shape[1], target.shape[1]) == (model.layout.n_phases, model.layout.n_outputs)
-        seen = model.layout.unpack_output(target)
-        assert all(torch.equal(seen[block], blocks[block]) for block in SHARED)
-        if name.startswith("lpn"):
-            assert own is p
-            assert target is z
-        ahead = phase.advance(model.layout, own, seen)
-        assert torch.allclose(ahead[:-1].cos(), own[1:].cos(), atol=1e-4)
-        assert torch.allclose(ahead[:-1].sin(), own[1:].sin(), atol=1e-4)
-        if name.startswith("pfnn"):
-            assert float(seen["phase_updates"].abs().max()) <= math.pi
-            assert bool(((ahead >= 0) & (ahead < math.tau)).all())
+    own, target = model.observe(p, z)
+    assert (own.shape[1], target.shape[1]) == (model.layout.n_phases, model.layout.n_outputs)
+    blocks, seen = data.layout.unpack_output(z), model.layout.unpack_output(target)
+    assert all(torch.equal(seen[block], blocks[block]) for block in SHARED)
+    if model.name.startswith("lpn"):
+        assert own is p
+        assert target is z
+    ahead = phase.advance(model.layout, own, seen)
+    assert torch.allclose(ahead[:-1].cos(), own[1:].cos(), atol=1e-4)
+    assert torch.allclose(ahead[:-1].sin(), own[1:].sin(), atol=1e-4)
+    if model.name.startswith("pfnn"):
+        assert float(seen["phase_updates"].abs().max()) <= math.pi
+        assert bool(((ahead >= 0) & (ahead < math.tau)).all())
 
 
-@pytest.mark.parametrize("name", networks.MODELS)
-def test_statistics_are_those_of_the_models_own_columns(data, name):
-    model = build(name, data)
+def test_statistics_are_those_of_the_models_own_columns(model, data):
     found = networks.normalisers(model.layout, data)
     z = torch.cat([model.observe(data.phases[s], data.outputs[s])[1] for s in data.styles]).double()
     torch.testing.assert_close(found["outputs"].mean, z.mean(0).float(), rtol=1e-5, atol=1e-6)
@@ -75,17 +70,15 @@ def test_statistics_are_those_of_the_models_own_columns(data, name):
     torch.testing.assert_close(found["outputs"].std, deviation, rtol=1e-4, atol=1e-6)
     for kind in ("inputs", "clips"):
         assert torch.equal(found[kind].mean, data.normalisers()[kind].mean)
-    if name in OTHERS:  # an angle stays an angle
+    if not model.name.startswith("lpn"):  # an angle stays an angle
         assert found["phases"].mean.tolist() == [0.0] * model.layout.n_phases
         assert found["phases"].std.tolist() == [1.0] * model.layout.n_phases
 
 
-@pytest.mark.parametrize("name", networks.MODELS)
-def test_errors_equal_a_loop_over_frames(data, name):
-    model = build(name, data)
+def test_errors_equal_a_loop_over_frames(model, data):
     bank = loss.make_bank(model, data, clips=2)
     assert bank.names == ("Neutral", "Zombie") == tuple(data.styles)
-    if not name.endswith("film"):
+    if not model.name.endswith("film"):
         assert torch.equal(bank.vectors, model.modulation.generator.vectors)
     found, base = loss.evaluate(model, bank, data, frames=20), loss.baselines(model, data)
     for style in data.styles:
@@ -97,20 +90,12 @@ def test_errors_equal_a_loop_over_frames(data, name):
             for i in rows.tolist()
         ]
         assert found[style]["mse"] == pytest.approx(float(np.mean(error)), rel=1e-3)
-        assert base[style]["mean"] == pytest.approx(
-            float(((z - mean) / std).square().mean()), rel=1e-4
-        )
-        even = (
-            mean[-3:-2].expand(len(x), 1) if name.startswith("pfnn") else 0 * p
-        )  # a global phase goes on
-        still = {
-            "trajectory": x[:, 24:48],
-            "joints": x[:, 48:],
-            "contacts": mean[-2:].expand(len(x), 2),
-            "phases": p,
-            "phase_updates": even,
-        }
+        mean_error = ((z - mean) / std).square().mean()
+        assert base[style]["mean"] == pytest.approx(float(mean_error), rel=1e-4)
+        # a global phase goes on
+        even = mean[-3:-2].expand(len(x), 1) if model.name.startswith("pfnn") else 0 * p
+        still = {"trajectory": x[:, 24:48], "joints": x[:, 48:], "phases": p,
+                 "contacts": mean[-2:].expand(len(x), 2), "phase_updates": even}
         repeat = torch.cat([still[block] for block in model.layout.outputs], 1)
-        assert base[style]["repeat"] == pytest.approx(
-            float(((z - repeat) / std).square().mean()), rel=1e-4
-        )
+        repeat_error = ((z - repeat) / std).square().mean()
+        assert base[style]["repeat"] == pytest.approx(float(repeat_error), rel=1e-4)

@@ -1,5 +1,6 @@
 """Measures against plain loops over their definitions, and motions whose answer is known."""
 
+import dataclasses
 import json
 import math
 from types import SimpleNamespace
@@ -7,6 +8,7 @@ from types import SimpleNamespace
 import damages
 import pytest
 import torch
+from strategies import human
 
 import toolkit as tk
 from toolkit import metrics
@@ -14,29 +16,18 @@ from toolkit.__main__ import main
 from toolkit.evaluation import MEASURES, table
 from toolkit.motion import rotations as R
 
-OFFSETS = {
-    "hips": [0, 1, 0],
-    "chest": [0, 0.4, 0],
-    "left_foot": [0.1, -0.9, 0],
-    "left_toe": [0, -0.1, 0.1],
-    "right_foot": [-0.1, -0.9, 0],
-    "right_toe": [0, -0.1, 0.1],
-    "left_shoulder": [0.1, 0.1, 0],
-    "right_shoulder": [-0.1, 0.1, 0],
-}
 ALWAYS = [measure for name, measure in table.PAIR.items() if name != "stop"]
-NAMES, PARENTS = list(OFFSETS), [-1, 0, 0, 2, 0, 4, 1, 1]
+HUMAN = human()
 
 
 def stick(frames=41, speed=0.0, fps=20.0, lift=0.0):
     """A figure that slides along +X without moving a joint; its left toe may be lifted."""
-    offsets = torch.tensor(list(OFFSETS.values()))
-    offsets[3, 1] += lift
-    roles = {name: name for name in NAMES} | {"left_hip": "left_foot", "right_hip": "right_foot"}
+    offsets = HUMAN.offsets.clone()
+    offsets[HUMAN.role("left_toe"), 1] += lift
     positions = torch.zeros(frames, 3)
-    positions[:, 0], positions[:, 1] = torch.arange(frames) * speed / fps, 1.0
-    skeleton = tk.Skeleton(NAMES, PARENTS, offsets, roles)
-    return tk.Clip(skeleton, R.identity(frames, len(NAMES)), positions, fps)
+    positions[:, 0], positions[:, 1] = torch.arange(frames) * speed / fps, 0.9
+    skeleton = dataclasses.replace(HUMAN, offsets=offsets)
+    return tk.Clip(skeleton, R.identity(frames, len(HUMAN)), positions, fps)
 
 
 def turned(clip, joint, angles):
@@ -74,20 +65,21 @@ def test_skate_of_a_sliding_figure_computed_by_hand():
 
 
 def test_pairs_computed_by_hand():
-    n, angle, joints = 8, 0.5, len(NAMES)
-    real = turned(stick(n, speed=1.0), 3, [angle if f % 2 else -angle for f in range(n)])
-    still = turned(stick(n, speed=1.0), 3, [angle] * n)
+    n, angle, toe, joints = 8, 0.5, HUMAN.role("left_toe"), len(HUMAN)
+    real = turned(stick(n, speed=1.0), toe, [angle if f % 2 else -angle for f in range(n)])
+    still = turned(stick(n, speed=1.0), toe, [angle] * n)
     # power at frequency 0, the real clip's at n / 2
     power = n / 2 * math.sin(angle / 2) ** 2 / joints
     assert metrics.npss(still, real) == pytest.approx(power, rel=1e-5)
-    assert metrics.geodesic(still, real) == pytest.approx(2 * angle / 2 / joints, rel=1e-5)
+    turning = joints - len(HUMAN.ends)
+    assert metrics.geodesic(still, real) == pytest.approx(2 * angle / 2 / turning, rel=1e-5)
     assert all(f(real, real) == pytest.approx(0, abs=1e-6) for f in ALWAYS)
     ahead = stick(speed=1.0)
     aside = ahead.moved(turn=0.4, shift=(0.0, 0.0, 0.0))
     for turn in (0.0, 0.7):
         both = (clip.moved(turn=turn) for clip in (aside, ahead))
         assert metrics.trajectory_error(*both) == pytest.approx(0.4, rel=1e-4)
-    assert metrics.geodesic(aside, ahead) == pytest.approx(0.4 / joints, rel=1e-4)
+    assert metrics.geodesic(aside, ahead) == pytest.approx(0.4 / turning, rel=1e-4)
     far = stick().moved(shift=(3.0, 0.0, 4.0))
     assert metrics.global_position(far, stick()) == pytest.approx(5.0)
     slow, fast = stick(speed=0.11), stick(speed=0.09)  # about the least speed with a direction

@@ -450,9 +450,6 @@ def prepare(base: Path) -> list[Job]:
         onnx.save(model, folder / "network.onnx", bank)
         view.web(model, bank, folder / "page.html", title=clip.style)
 
-    def checkpoint(path: Path) -> None:
-        model_files.read(path, "checkpoint")
-
     def manifest(path: Path) -> None:
         store._manifest(path.parent)
         for part in path.parent.glob("*.safetensors"):
@@ -464,7 +461,8 @@ def prepare(base: Path) -> list[Job]:
     return [
         Job("fetch", fetch, content=lambda data: re.sub(rb'"date": "[^"]*"', b"", data)),
         Job("preprocess", preprocess, stage=manifest, staged="manifest.json"),
-        Job("train", train, {"run.safetensors": b"an older run"}, checkpoint, r".*\.checkpoint"),
+        Job("train", train, {"run.safetensors": b"an older run"},
+            lambda path: model_files.read(path, "checkpoint"), r".*\.checkpoint"),
         Job("export", functools.partial(write, clips[0]), old_files),
     ]
 
@@ -472,5 +470,4 @@ def prepare(base: Path) -> list[Job]:
 def _command(*words: object) -> None:
     from toolkit.__main__ import main
 
-    if status := main([str(word) for word in words]):
-        raise SystemExit(status)
+    sys.exit(main([str(word) for word in words]))
