@@ -36,6 +36,7 @@ def test_matrix_round_trip(seed):
 
 def test_matrix_of_half_turns():
     q = R.from_axis_angle(torch.eye(3).double(), torch.full((3,), math.pi, dtype=torch.float64))
+    torch.testing.assert_close(q[:, 1:], torch.eye(3).double())
     assert angle_between(q, R.from_matrix(R.to_matrix(q))).max() < 1e-7
 
 

@@ -103,8 +103,7 @@ def run(
 def fuzz(readers: list[Reader], inputs: int, seed: int) -> Tally:
     """Try ``inputs`` inputs, the same number for every reader."""
     tally = Tally()
-    with warnings.catch_warnings(), limited():
-        warnings.simplefilter("error")
+    with warnings.catch_warnings(action="error"), limited():
         warnings.simplefilter("ignore", UserWarning)
         for reader in readers:
             for number in range(inputs // len(readers)):

@@ -4,7 +4,6 @@ import contextlib
 import copy
 import hashlib
 import io
-import itertools
 import json
 import random
 import shutil
@@ -74,10 +73,6 @@ VALUES = ("", "x", "-", "--", "0", "1", "-1", "3", "0.05", "nan", "inf", "-inf",
           "adv", "sty,ds")
 
 
-class _Reached(ValueError):  # noqa: N818 (not an error)
-    """A command line passed all checks."""
-
-
 def make(folder: Path, target: str = "all") -> dict[str, list[Reader]]:
     """Readers by target; their files are made in ``folder``, which must not be deleted during
     use.
@@ -90,7 +85,7 @@ def make(folder: Path, target: str = "all") -> dict[str, list[Reader]]:
     for name in makers:
         (folder / name).mkdir(parents=True, exist_ok=True)
     made = {name: maker(folder / name) for name, maker in makers.items() if target in (name, "all")}
-    for reader in itertools.chain(*made.values()):
+    for reader in [reader for readers in made.values() for reader in readers]:
         reader.path.write_bytes(reader.seeds[0])
         with contextlib.suppress(ValueError, OSError):
             reader.read(reader.path)  # no input pays for imports and for compiling functions
@@ -103,23 +98,21 @@ def _bvh(folder: Path) -> list[Reader]:
     seeds.append((folder / "seed.bvh").read_bytes())
 
     def read(path: Path) -> None:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
+        with warnings.catch_warnings(action="ignore"):
             clip = bvh.load(path)
         assert clip.skeleton.offsets.isfinite().all(), "offsets that are not finite"
-        assert len(clip) * len(clip.skeleton) <= max(path.stat().st_size,
-                                                     bvh.SMALL), "more than the file can hold"
+        most = max(path.stat().st_size, bvh.SMALL)
+        assert len(clip) * len(clip.skeleton) <= most, "more than the file can hold"
 
     def numbers(path: Path) -> None:
         """The compiled reader of decimals, compared with Python's."""
-        rows = [line.split() for line in path.read_bytes().decode("latin-1").splitlines()
-                if line.strip()]
+        lines = path.read_bytes().decode("latin-1").splitlines()
+        rows = [line.split() for line in lines if line.strip()]
         columns = np.empty((len(rows[0]) if rows else 1, len(rows)))
         if not rows or not decimals.read(np.fromfile(path, np.uint8), 0, columns):
             raise ValueError(f"{path}: left to Python")
-        assert np.array_equal(columns.T,
-                              [[float(word) for word in row]
-                               for row in rows]), "another number than Python's"
+        expected = [[float(word) for word in row] for row in rows]
+        assert np.array_equal(columns.T, expected), "another number than Python's"
 
     deep = "frames|rame time|numbers|channel|Frame|finite|rigid|changes"
     rows = tuple(seed[seed.index(b"\n", seed.index(b"Frame Time")) + 1 :] for seed in seeds)
@@ -173,10 +166,9 @@ def _model(folder: Path) -> list[Reader]:
         model = copy.deepcopy(new)
         loop.restore(path, model, loop.optimiser(model, config), config)
 
-    skeleton = data.layout.skeleton
     sizes = stylizers.Sizes(channels=1, code=1, latent=1, hidden=2)
-    stylizers.build(SkeletonGraph.of(skeleton), ("old",),
-                    sizes)[0].save(folder / "stylizer.safetensors")
+    stylizer, _ = stylizers.build(SkeletonGraph.of(data.layout.skeleton), ("old",), sizes)
+    stylizer.save(folder / "stylizer.safetensors")
     Recogniser(("a", "b"), features.Normaliser(torch.zeros(12), torch.ones(12)),
                2).save(folder / "recogniser.safetensors")
     readers = {"run.safetensors": (finite, training.load, StyleBank.load),
@@ -258,8 +250,7 @@ def _cli(folder: Path) -> list[Reader]:
                        ("bad.safetensors", b"\0" * 64)):
         (folder / name).write_bytes(data)
 
-    def leaves(command: TyperCommand,
-               words: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], TyperCommand]]:
+    def leaves(command: TyperCommand, words: tuple[str, ...] = ()) -> Iterator[tuple]:
         command = getattr(command, "imported", command)
         yield words, command
         for name, sub in getattr(command, "commands", {}).items():
@@ -287,25 +278,24 @@ def _cli(folder: Path) -> list[Reader]:
 
     def read(path: Path) -> None:
         out, err = io.StringIO(), io.StringIO()
-        with contextlib.ExitStack() as around:
-            for change in (contextlib.chdir(folder), contextlib.redirect_stdout(out),
-                           contextlib.redirect_stderr(err),
-                           mock.patch.dict("os.environ", TOOLKIT_DATA=str(folder / "none")), *idle):
-                around.enter_context(change)
+        with (contextlib.chdir(folder), contextlib.redirect_stdout(out),
+              contextlib.redirect_stderr(err), contextlib.ExitStack() as around,
+              mock.patch.dict("os.environ", TOOLKIT_DATA=str(folder / "none"))):
+            for function in idle:
+                around.enter_context(function)
             status = command_line.main(json.loads(path.read_bytes()))
         said = err.getvalue()
         assert status in (0, 2), f"exit status {status}: {said[-200:]}"
         if status and any(sign in said + out.getvalue() for sign in ("Usage:", "╭─ Error")):
             raise ValueError(f"{path.name}: usage")
         if status:
-            *doubts, error = said.splitlines()
-            assert error.startswith("error: "), f"not an error: {said[-200:]!r}"
-            assert all(line.isprintable()
-                       for line in (*doubts, error)), f"not printable: {said[-200:]!r}"
-            raise ValueError(f"{path.name}: {error[7:]}")
+            lines = said.splitlines()
+            assert lines[-1].startswith("error: "), f"not an error: {said[-200:]!r}"
+            assert all(map(str.isprintable, lines)), f"not printable: {said[-200:]!r}"
+            raise ValueError(f"{path.name}: {lines[-1][7:]}")
 
     return [Reader("cli", folder / "arguments.json", read, (b"[]",), line, "(?!.*usage)")]
 
 
 def _reached(*_, **__) -> None:
-    raise _Reached("all checks passed")
+    raise ValueError("all checks passed")
