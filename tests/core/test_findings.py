@@ -104,7 +104,7 @@ def test_characters_in_each_others_way(walk):
 
 def test_hands_pass_beside_the_thighs_of_those_who_limp(fast):
     for style in ("LimpLeft", "DragRightLeg"):
-        walk = tk.runtime.rollout(fast[0], tk.runtime.straight(1.0, 6.0), style=fast[1][style])
+        walk = tk.runtime.rollout(fast[0], tk.runtime.straight(1.0, 3.0), style=fast[1][style])
         assert "body" not in kinds(walk)
 
 
