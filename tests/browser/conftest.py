@@ -1,8 +1,10 @@
 """Headless Chromium, one for a session; every test here is skipped where it is missing."""
 
+import contextlib
 import json
 import os
 import shutil
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -28,8 +30,8 @@ def browser():
         browser.close()
 
 
-@pytest.fixture
-def visit(browser):
+@contextlib.contextmanager
+def visits(browser) -> Iterator[Callable]:
     """``visit(path, size)``: a page of a file, on a desk or on a phone that is touched.
 
     What it logged as an error or asked of a server fails the test at its end.
@@ -51,6 +53,12 @@ def visit(browser):
     for context in contexts:
         context.close()
     assert wrong == []
+
+
+@pytest.fixture
+def visit(browser):
+    with visits(browser) as open_:
+        yield open_
 
 
 def touches(page):
