@@ -49,17 +49,11 @@ def test_euler_is_the_product_of_axis_matrices(order, angles):
 
 
 @pytest.mark.parametrize("order", ORDERS)
-@given(seed=seeds)
-def test_euler_round_trip(order, seed):
-    q = quaternions(seed, 16)
-    assert angle_between(q, R.from_euler(R.to_euler(q, order), order)).max() < 1e-6
-
-
-@pytest.mark.parametrize("order", ORDERS)
 @pytest.mark.parametrize(("dtype", "error"), [(torch.float64, 1e-14), (torch.float32, 3e-6)])
-def test_at_and_near_the_gimbal_lock(order, dtype, error):
+def test_euler_round_trip_also_at_the_gimbal_lock(order, dtype, error):
     """Two of the angles run together where the middle one is near 90°; at it, the third is 0."""
-    off = torch.tensor([0.0, 1e-12, 1e-9, 1e-7, 1e-6, 1e-5, 1e-4, 4e-4, 1e-3, 1e-2]).double()
+    off = torch.tensor([0.0, 1e-12, 1e-9, 1e-7, 1e-6, 1e-5, 1e-4, 4e-4, 1e-3, 1e-2, 0.3, 0.8,
+                        1.4]).double()
     middle = torch.cat([sign * math.pi / 2 + side * off for sign in (-1, 1) for side in (-1, 1)])
     generator = torch.Generator().manual_seed(0)
     outer = 6 * torch.rand(len(middle), 2, dtype=torch.float64, generator=generator) - 3
