@@ -2,7 +2,6 @@
 
 from types import SimpleNamespace
 
-import pytest
 from ipywidgets.widgets.widget import _instances
 
 import toolkit as tk
@@ -10,38 +9,24 @@ from toolkit.extra.shots.director import Director
 from toolkit.view.widgets.controller import Controller
 from toolkit.view.widgets.player import Player
 
-pytestmark = pytest.mark.usefixtures("one_walk")
 
-
-@pytest.fixture
-def cell(monkeypatch):
-    """The message that runs a cell of JupyterLab."""
-    parent = {"metadata": {"cellId": "first"}, "header": {"msg_id": "1"}}
+def test_a_cell_that_runs_again_closes_what_it_made(walk_clip, monkeypatch):
+    parent = {}  # the message that runs a cell of JupyterLab
     shell = SimpleNamespace(kernel=SimpleNamespace(get_parent=lambda: parent))
     monkeypatch.setattr("IPython.get_ipython", lambda: shell)
-    return parent
+    made = []
+    for message, cell in enumerate(("first", "second", "first")):
+        parent |= {"metadata": {"cellId": cell}, "header": {"msg_id": message}}
+        made += [Player(walk_clip.cut(0, 10)) for _ in range(2)]
+    assert [bool(player.comm) for player in made] == [False] * 2 + [True] * 4
+    for player in made:
+        player.close()
 
 
-def test_a_cell_that_runs_again_closes_what_it_made(cell):
-    trained = tk.pretrained()
-    two = [Controller(*trained) for _ in range(2)]
-    assert all(made.comm for made in two)
-    cell |= {"metadata": {"cellId": "second"}, "header": {"msg_id": "2"}}
-    other = Controller(*trained)
-    cell |= {"metadata": {"cellId": "first"}, "header": {"msg_id": "3"}}
-    again = Controller(*trained)
-    assert [made.comm for made in two] == [None, None]
-    assert other.comm
-    assert again.comm
-    again.close()
-    other.close()
-
-
-def test_a_closed_widget_leaves_no_part(walk_clip):
-    model, bank = tk.pretrained()
-    before = set(_instances)
-    for make in (lambda: Player(walk_clip.cut(0, 60)), lambda: Controller(model, bank),
-                 lambda: Director(model, bank)):
+def test_a_closed_widget_leaves_no_part(walk_clip, one_walk):
+    trained, before = tk.pretrained(), set(_instances)
+    for make in (lambda: Player(walk_clip.cut(0, 60)), lambda: Controller(*trained),
+                 lambda: Director(*trained)):
         made = make()
         assert set(_instances) > before
         made.close()
