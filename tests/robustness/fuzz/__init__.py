@@ -82,12 +82,13 @@ def run(
         for name, readers in targets.make(Path(folder), target).items():
             tally = fuzz(readers, inputs * len(readers), seed)
             counts = {key: tally.counts[key] for key in [*COLUMNS][2:]}
-            print(f"{name}: {counts}", flush=True)
             rows.append({"target": TARGETS[name], "readers": len(readers), **counts})
+            print(tables.line(COLUMNS, rows[-1]), flush=True)
             for i, (said, data) in enumerate(tally.failures.items()):
-                out.mkdir(parents=True, exist_ok=True)
-                (out / f"{name}-{i}.input").write_bytes(data)
-                print(f"FAILED, shortest input in {out / f'{name}-{i}.input'}: {said}", flush=True)
+                path = out / f"{name}-{i}.input"
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_bytes(data)
+                print(f"FAILED, shortest input in {path}: {said}", flush=True)
     made, failed = (sum(row[key] for row in rows) for key in ("inputs", "failed"))
     minutes = (time.process_time() - began) / 60
     print(f"{made:,} inputs, {failed} failed, {minutes:.1f} minutes of processor time")
@@ -138,22 +139,23 @@ def trial(reader: Reader, data: bytes) -> tuple[str, str]:
     except (ValueError, OSError) as error:
         said = str(error)
         if not said.isprintable():
-            return "failed", f"not one printable line: {type(error).__name__} in {_place(error)}"
+            return "failed", f"not one printable line: {_place(error)}"
         if reader.path.name not in said and str(reader.path.parent) not in said:
-            return "failed", f"does not name the file: {type(error).__name__} in {_place(error)}"
+            return "failed", f"does not name the file: {_place(error)}"
         return "refused", said
     except (Exception, _Hang) as error:
-        return "failed", f"{type(error).__name__} in {_place(error)}"
+        return "failed", _place(error)
     finally:
         signal.setitimer(signal.ITIMER_PROF, 0)
         signal.signal(signal.SIGPROF, before)
 
 
 def _place(error: BaseException) -> str:
-    """The last function of the toolkit in a traceback."""
+    """The kind of an error, and the last function of the toolkit in its traceback."""
     frames = [f for f in traceback.extract_tb(error.__traceback__) if "toolkit" in f.filename
               and "fuzz" not in f.filename]
-    return f"{Path(frames[-1].filename).name}, {frames[-1].name}" if frames else str(error)[:200]
+    place = f"{Path(frames[-1].filename).name}, {frames[-1].name}" if frames else str(error)[:200]
+    return f"{type(error).__name__} in {place}"
 
 
 @contextlib.contextmanager
