@@ -119,7 +119,9 @@ def test_the_pose_that_is_fed_back_is_the_drawn_one(small_run):
     model, bank = small_run.model, small_run.bank
     state = runtime.start(model, bank.vectors[:2])
     for command in runtime.straight(1.0, 0.5):
-        state = runtime.step(model, state, command)
+        before, state = state, runtime.step(model, state, command)
+    again = runtime.step(model, before, command)  # a state stays as it was, and can branch
+    assert torch.equal(again.joints, state.joints)
     skeleton = model.layout.skeleton
     rotations, root = runtime.pose(model, dataclasses.replace(state, drop=0 * state.drop))
     drawn = tk.motion.forward_kinematics(skeleton, rotations, root)[1]
@@ -138,18 +140,6 @@ def test_a_limbs_phase_is_pulled_by_how_far_it_moved(small_run):
     new = advance(small_run.model.layout, phase, {"phases": predicted, "phase_updates": update})
     share = 0.5 * 0.1 / math.hypot(1.0, 0.1)
     assert new[0, :4].tolist() == pytest.approx([1 - share * 0.5, 0.1 + share * 0.4, 0.0, 2.0])
-
-
-def test_step_keeps_its_state_and_can_branch(small_run):
-    model, bank = small_run.model, small_run.bank
-    state = runtime.start(model, bank.vectors[0])
-    before = state.joints.clone()
-    to_the_left = runtime.Command((1.0, 0.0), (1.0, 0.0))
-    left, again = (runtime.step(model, state, to_the_left) for _ in range(2))
-    right = runtime.step(model, state, runtime.Command((-1.0, 0.0), (-1.0, 0.0)))
-    assert torch.equal(state.joints, before)
-    assert torch.equal(left.joints, again.joints)
-    assert float(left.velocity[0, 0]) > 0 > float(right.velocity[0, 0])
 
 
 def test_the_start_does_not_matter_to_the_motion(small_run):
@@ -225,10 +215,6 @@ def test_bad_commands_are_refused(small_run):
 
 def test_states_leave_the_callers_mode_alone_and_can_be_used_in_a_loss(small_run):
     model, style = small_run.model, small_run.bank.vectors[0]
-    pair = (runtime.states(model, runtime.straight(1.0, 0.05), style) for _ in range(2))
-    for _ in zip(*pair, strict=True):
-        assert torch.is_grad_enabled()
-        assert not torch.is_inference_mode_enabled()
     paused = runtime.states(model, runtime.straight(1.0, 0.05), style)
     state = next(paused)
     assert torch.is_grad_enabled()
