@@ -261,8 +261,8 @@ def test_the_command_line_writes_a_clip(tmp_path, zombie, capsys):
     out = tmp_path / "new" / "walk.glb"
     assert main(f"export clip {source} --out {out} --skeleton 100style".split()) == 0
     assert f"wrote {out}" in capsys.readouterr().out
-    seen = seen_by_vtk(out, 0.5)
-    assert abs(seen - drawn(tk.bvh.load(source), 30)).max() < 1e-4
+    tk.save(tk.bvh.load(source), tmp_path / "walk.glb")
+    assert out.read_bytes() == (tmp_path / "walk.glb").read_bytes()
 
 
 def test_skeletons_that_no_body_fits_are_refused(tmp_path):

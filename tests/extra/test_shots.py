@@ -30,12 +30,8 @@ times = st.lists(st.floats(0, 100), min_size=1, max_size=5, unique=True).map(sor
 
 @st.composite
 def some_shots(draw):
-    steps = draw(st.lists(st.tuples(st.floats(0.02, 5), st.floats(-3, 3)), min_size=1, max_size=6))
-    z = x = 0.0
-    points = [(0.0, 0.0)]
-    for dz, dx in steps:
-        z, x = z + dz, x + dx
-        points.append((x, z))
+    steps = draw(st.lists(st.tuples(st.floats(-3, 3), st.floats(0.02, 5)), min_size=1, max_size=6))
+    points = np.cumsum([(0.0, 0.0), *steps], axis=0).tolist()
     easing = st.sampled_from(["smooth", "linear", "jump"])
     facing, duration = draw(st.sampled_from([None, (0.0, 1.0)])), draw(st.sampled_from([None, 3.0]))
     return Shot(points,
