@@ -411,6 +411,17 @@ def test_pins_of_all_kinds_move_a_walk_by_known_distances(walk_clip):
     assert found == pytest.approx(known, abs=2e-5)  # twice the softness of an arm moves 4e-5
 
 
+def test_pins_are_missed_in_the_frames_from_their_time_to_their_end(walk_clip):
+    fast = walk_clip.replace(rotations=walk_clip.rotations[::10],
+                             root_positions=walk_clip.root_positions[::10])
+    place = fast.global_positions[5, fast.skeleton.role("left_hand")].tolist()  # at 6 / FPS
+    for at, to, said in ((6, None, []), (6, 7, ["is out of reach"]), (5, 6, ["is out of reach"]),
+                         (99, None, ["after the end of the motion"])):
+        pin = {"at": at / FPS, "to": to and to / FPS, "left_hand": place}
+        lines = pins.missed(dataclasses.replace(PINNED, pins=[pin]).pins, fast)
+        assert [text in line for text, line in zip(said, lines, strict=True)] == [True] * len(said)
+
+
 def test_a_pinned_pose_is_taken_where_the_character_stands(fast):
     model, bank = fast
     zombie = Shot([(0, 0), (0, 3)], "Zombie", duration=2.1).render(model, bank)
@@ -443,6 +454,8 @@ def test_places_are_found_near_the_plan_and_near_the_time():
     places = [(0.0, 9.0)] * 60 + [(0.0, 0.2)] + [(0.0, 0.1)] * 60
     assert arrival((0.0, 0.0), 48 / FPS, places) == (pytest.approx(14 / FPS), 9.0)
     assert arrival((0.0, 0.0), 50 / FPS, places) == (0.0, 0.1)
+    places = [(0.0, 0.1)] * 30 + [(0.0, 9.0)] * 300 + [(0.0, 0.1)] * 30
+    assert arrival((0.0, 0.0), 3.0, places) == (math.inf, 9.0)  # half a second too far on each side
 
 
 def test_a_plan_meets_times_and_pauses():
