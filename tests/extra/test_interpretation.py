@@ -178,9 +178,9 @@ def leaning(degrees):
 
 
 def lying(height):
-    """Turned by a quarter, on the path of one who walks."""
-    return lambda clip: turned(clip, 90, 0, 0).replace(
-        root_positions=clip.moved(shift=(0, height, 0)).root_positions)
+    """Turned by a quarter, on the path of one who walks two and a half lengths of a leg."""
+    return lambda clip: turned(clip.cut(0, 180), 90, 0, 0).replace(
+        root_positions=clip.cut(0, 180).moved(shift=(0, height, 0)).root_positions)
 
 
 def rising(clip):
