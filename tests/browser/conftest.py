@@ -17,6 +17,8 @@ CHROMIUM = next(
 FLAGS = ["--no-sandbox"]  # the default software path: the GPU path on software halves the rate
 SIZES = {"desk": {"width": 1280, "height": 760}, "phone": {"width": 390, "height": 844}}
 ROOT = Path(__file__).resolve().parents[2]
+IMAGE, SCRIPT, COMMENT = PLANTED = (
+    "<img src=x onerror=hacked=1>", "</script><script>hacked=1</script>", "<!--<script>")
 
 
 @pytest.fixture(scope="package")  # while it is open, no other test can run an event loop
@@ -59,6 +61,14 @@ def visits(browser) -> Iterator[Callable]:
 def visit(browser):
     with visits(browser) as open_:
         yield open_
+
+
+def shows_as_text(page) -> None:
+    """What is named like HTML did not run and became no element."""
+    for frame in page.frames:
+        assert frame.evaluate("() => typeof hacked") == "undefined"
+        assert frame.locator('img[src="x"]').count() == 0
+    assert COMMENT in page.evaluate("() => document.body.textContent")
 
 
 def touches(page):

@@ -10,9 +10,10 @@ import torch
 import toolkit as tk
 from toolkit.extra.characters.character import Character
 from toolkit.extra.shots import director, pins
+from toolkit.networks.bank import StyleBank
 from toolkit.runtime.recording import joined
 
-from .conftest import SIZES, touches, visits
+from .conftest import COMMENT, PLANTED, SIZES, shows_as_text, touches, visits
 
 STARTED = "() => view.desk.making.every((take) => !take || take.frames.length)"
 DONE = "() => !view.desk.making.some(Boolean) && view.desk.takes.every(Boolean)"
@@ -115,11 +116,14 @@ class Desk:
 
 @pytest.fixture(scope="module")
 def file(pages):
-    """A page with a short shot, opened by every test here, whose style Aeroplane shakes."""
+    """A page with a short shot, opened by every test here, whose style Aeroplane shakes; the last
+    styles have planted names.
+    """
     model, bank = tk.pretrained()
-    shakes = torch.tensor([name == "Aeroplane" for name in bank])
-    bank = dataclasses.replace(bank, shakes=shakes)
-    return director.web(model, bank, pages / "director.html", tk.shots.parse(SHORT))
+    count, names = len(bank), (*bank, *PLANTED)
+    at = [*range(count), 0, 0, 0]
+    bank = StyleBank(names, bank.vectors[at], bank.speeds[at], [k == "Aeroplane" for k in names])
+    return director.web(model, bank, pages / "director.html", tk.shots.parse(SHORT), title=COMMENT)
 
 
 @pytest.fixture(scope="module")
@@ -177,6 +181,13 @@ def test_the_same_shots_give_the_same_courses_motion_and_words(desk, double):
     assert said == words
     assert sum(line.startswith("too fast: ") for line in said) > 1
     assert sum(line.startswith("pinned: ") for line in said) > 0
+
+
+def test_what_is_named_like_html_is_shown_as_text(desk):
+    desk.open(tk.shots.data([tk.shots.Shot([(k, 0), (k, 0.5)], text, duration=0.5, name=text)
+                             for k, text in enumerate(PLANTED)]), DONE)
+    assert desk.page.get_by_role("tab").all_text_contents() == list(PLANTED)
+    shows_as_text(desk.page)
 
 
 def test_those_who_keep_apart_walk_as_in_python(desk, double):

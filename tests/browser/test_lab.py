@@ -10,9 +10,10 @@ import urllib.request
 import nbformat
 import pytest
 
+from .conftest import COMMENT, IMAGE
+
 playwright = pytest.importorskip("playwright.sync_api", reason="needs Playwright")
 
-IMAGE, COMMENT = "<img src=x onerror=hacked=1>", "<!--<script>"
 CELLS = [
     f"""
 import asyncio, json, pathlib, torch

@@ -23,17 +23,12 @@ import toolkit as tk
 from toolkit.datasets import procedural
 from toolkit.extra.characters import retargeting
 from toolkit.extra.characters.character import Character
-from toolkit.extra.shots import director
 from toolkit.motion import Skeleton
-from toolkit.networks.bank import StyleBank
 from toolkit.stylization import losses
 from toolkit.view.pages import page as pages_
 from toolkit.view.render import mannequin as body
 
-IMAGE, SCRIPT, COMMENT = (
-    "<img src=x onerror=hacked=1>", "</script><script>hacked=1</script>", "<!--<script>"
-)
-PLANTED = (IMAGE, SCRIPT, COMMENT)
+from .conftest import COMMENT, IMAGE, PLANTED, SCRIPT, shows_as_text
 
 
 @pytest.fixture(scope="module")
@@ -126,19 +121,6 @@ def player(path: Path, clip) -> None:
     tk.view.html(clip, path, title=IMAGE, caption=SCRIPT, labels=[COMMENT], styles=weights)
 
 
-def controlled(path: Path, clip) -> None:
-    model, bank = tk.pretrained()
-    bank = StyleBank(PLANTED, bank.vectors[:3])
-    tk.view.web(model, bank, path, title=COMMENT, characters=2, half=True)
-
-
-def desk(path: Path, clip) -> None:
-    model, bank = tk.pretrained()
-    walks = [tk.shots.Shot([(k, 0), (k, 0.5)], text, duration=0.5, name=text)
-             for k, text in enumerate(PLANTED)]
-    director.web(model, StyleBank(PLANTED, bank.vectors[:3]), path, walks, title=COMMENT, half=True)
-
-
 def lesson(path: Path, clip) -> None:
     def answer(*_):
         raise ValueError(COMMENT + IMAGE + SCRIPT)
@@ -150,7 +132,7 @@ def lesson(path: Path, clip) -> None:
     path.write_text(f"<!doctype html><meta charset=utf-8><body>{''.join(parts)}", encoding="utf-8")
 
 
-@pytest.mark.parametrize("write", [player, controlled, desk, lesson])
+@pytest.mark.parametrize("write", [player, lesson])  # others: test_web.py, test_director.py
 def test_a_page_with_planted_html_shows_it_as_text(visit, tmp_path, clip, write):
     write(tmp_path / "page.html", clip)
     page = visit(tmp_path / "page.html")
@@ -160,10 +142,7 @@ def test_a_page_with_planted_html_shows_it_as_text(visit, tmp_path, clip, write)
         assert COMMENT in page.frames[1].evaluate("() => document.body.textContent")
     else:
         page.wait_for_function("() => globalThis.view && document.querySelector('canvas')")
-    for frame in page.frames:
-        assert frame.evaluate("() => typeof hacked") == "undefined"
-        assert frame.locator('img[src="x"]').count() == 0
-    assert COMMENT in page.evaluate("() => document.body.textContent")
+    shows_as_text(page)
 
 
 # the course without a kernel
@@ -189,7 +168,7 @@ def framed(shown):
 
 def figures() -> list:
     """The figures of the course with sliders."""
-    clip, known = procedural.truth("Neutral", "FW", 6.0)
+    clip, known = procedural.truth("Neutral", "FW", 3.0)
     t = torch.linspace(-0.5, 0.5, 61).double()
     fits = {f: ((6.28 * f * t).sin(), abs(f - 1.0)) for f in (0.5, 1.0, 1.5)}
     pose = torch.rand(3, 3)
@@ -250,7 +229,7 @@ def test_the_ankle_follows_the_pointer(shown):
 
 
 def test_a_loss_that_is_switched_off_shows_its_stylizer(framed):
-    toy = plane.Toy(plane.SWITCHES, seed=0).train(20)
+    toy = plane.Toy(plane.SWITCHES, seed=0).train(4)
     frame = framed(course.show(losses_page.losses_page(toy), 460))
     frame.wait_for_selector("#table td")
 

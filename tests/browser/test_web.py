@@ -3,11 +3,10 @@
 import dataclasses
 
 import pytest
-import torch
 
 import toolkit as tk
 
-from .conftest import SIZES, touches, visits
+from .conftest import COMMENT, IMAGE, PLANTED, SCRIPT, SIZES, shows_as_text, touches, visits
 
 MOVED = """([x, z, far]) => {
     const [a, , b] = view.kernel.character.root;
@@ -55,13 +54,14 @@ def test_a_thumb_on_the_stick_walks_on_a_phone(visit, embedded):
 
 
 def test_a_crowd_looks_the_same_drawn_by_either_way(visit, pages):
-    """On the processor, as this browser draws, and instanced on the GPU."""
+    """On the processor, as this browser draws, and instanced on the GPU; of planted names."""
     model, bank = tk.pretrained()
-    bank = bank.select(["Neutral", "Old", "Zombie"])
-    bank = dataclasses.replace(bank, shakes=torch.tensor([False, True, False]))
-    page = visit(tk.view.web(model, bank, pages / "crowd.html", characters=4, half=True))
+    bank = dataclasses.replace(bank.select(["Neutral", "Zombie", "Old"]), names=PLANTED,
+                               shakes=[False, True, False])
+    page = visit(tk.view.web(model, bank, pages / "crowd.html", title=COMMENT, characters=4,
+                             half=True))
     shown = page.locator(".tkc-menus select").first.locator("option").all_text_contents()
-    assert sorted(shown) == ["Neutral", "Old (shakes)", "Zombie"]
+    assert sorted(shown) == sorted([IMAGE, f"{SCRIPT} (shakes)", COMMENT])
     page.wait_for_function("() => globalThis.view?.kernel.frame > 20")
     seen = page.evaluate("""() => {
         cancelAnimationFrame(view.kernel.handle);
@@ -87,6 +87,7 @@ def test_a_crowd_looks_the_same_drawn_by_either_way(visit, pages):
     assert seen["count"] == 3
     assert seen["shown"] > 0.005
     assert seen["apart"] < 0.1 * seen["shown"]
+    shows_as_text(page)
 
 
 def test_a_page_keeps_its_own_rate(page):
