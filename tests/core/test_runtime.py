@@ -159,9 +159,18 @@ def test_the_start_does_not_matter_to_the_motion(small_run):
 
 
 def test_the_trajectory_bends_towards_the_command(small_run):
-    state = runtime.start(small_run.model, small_run.bank.vectors[0])
+    state, command = runtime.start(small_run.model, small_run.bank.vectors[0]), ((1.0, 0.0),) * 2
+    # one that stands follows the command alone
+    target = torch.arange(1, 6) * 10 / 60
+    standing = dataclasses.replace(state, velocity=torch.tensor(command[:1]), rest=state.aside)
+    future = runtime.steer(standing, runtime.Command(*command)).future
+    assert future[0, 1:, 0].tolist() == pytest.approx(target.tolist(), abs=1e-3)
+    # another has walked to here
+    history = state.history.clone()
+    history[0, :, 0] = torch.arange(-60, 1) / 60
+    state = dataclasses.replace(state, history=history)
     for _ in range(60):
-        steered = runtime.steer(state, runtime.Command((1.0, 0.0), (1.0, 0.0)))
+        steered = runtime.steer(state, runtime.Command(*command))
         velocity, facing, future = steered.velocity, steered.facing, steered.future
         state = dataclasses.replace(state, velocity=velocity, facing=facing, rest=steered.rest)
     assert velocity[0].tolist() == pytest.approx([1.0, 0.0], abs=1e-3)
@@ -356,3 +365,13 @@ def test_a_character_that_is_to_stop_is_opposed_and_one_that_is_to_turn_is_not(r
     steps = [0.0, *(pull / 6 * share for share in shares[1:])]
     expected = [sum(steps[: k + 1]) for k in range(6)]
     assert steered.future[0, :, 1].tolist() == pytest.approx(expected, abs=1e-5)
+
+
+def test_a_start_goes_where_it_is_told():
+    """Of people who also walk backwards, some began with that, by up to a metre."""
+    model, bank = tk.pretrained("recorded")
+    asked = [runtime.Command()] * 60 + [runtime.Command((0.0, 1.0))] * 90
+    vectors = torch.stack([bank[name] for name in ("normal", "masculinity", "exhausted")])
+    roots = torch.stack([state.root for state in runtime.states(model, asked, vectors)])
+    assert float(roots[..., 1].min()) > -0.15
+    assert float(roots[-1, :, 1].min()) > 0.4

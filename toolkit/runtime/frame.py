@@ -19,7 +19,7 @@ from toolkit.motion.skeleton import FEET
 from toolkit.motion.tensors import as_tensor, shown
 from toolkit.networks.phase import advance, initial_pose
 from toolkit.runtime.state import CharacterState, Remembering, vectors_of
-from toolkit.runtime.steering import Command, standing, steer, turn
+from toolkit.runtime.steering import MOVES, Command, standing, steer, turn
 
 FPS = trajectory.FPS
 STANDS = 0.9  # share of standing (`steering.standing`) from which feet stay on the ground
@@ -192,12 +192,20 @@ def predicted(model, state: CharacterState, command: Command) -> CharacterState:
     in_the_air = 1.0 - (2 * contacts).clamp_max(1.0)
     position[:, toes, 1] += swing * in_the_air * (height - ground).clamp_min(0.0)
 
+    # A start: pose and phase, as the root, go the share 1 - held of a frame.
+    moves = steered.velocity.norm(dim=-1, keepdim=True) > MOVES
+    held = torch.where(moves, steered.rest, 0.0)
+    position = torch.lerp(position, was["position"], held[:, None])
+    for axis in ("forward", "up"):
+        now[axis] = torch.lerp(now[axis], was[axis], held[:, None])
+
     # The same pose, seen from the new root.
     joints = to_frame(_orthonormal(pack_joints(**now | {"position": position})), root, new_root)
 
     # Phase: it stops while the character stands on both feet.
     phase = advance(layout, state.phase, out)
-    phase = torch.lerp(phase, state.phase, stand * contacts.amin(-1, keepdim=True))
+    still = (stand * contacts.amin(-1, keepdim=True)).maximum(held)
+    phase = torch.lerp(phase, state.phase, still)
     return dataclasses.replace(
         steered,
         history=torch.cat((state.history[:, 1:], new_root[:, None]), 1),

@@ -92,7 +92,9 @@ def steer(
     walks, all of it while the command or the speed factor is near 0, since a network can walk on
     by itself. A velocity is false by its difference from ``asked``, the command at the pace at
     which a character follows it; in one that is to stop, by its difference from the command. While
-    the command is to stand, the blend grows until the whole future stands still.
+    the command is to stand, the blend grows until the whole future stands still. A character that
+    is to walk, but stands or slowly goes elsewhere, follows the target alone: a network that has
+    learnt to walk backwards may begin with that.
     """
     like = {"dtype": state.velocity.dtype, "device": state.velocity.device}
     wanted = torch.as_tensor(command.velocity, **like).reshape(-1, 2)
@@ -127,9 +129,14 @@ def steer(
     wanted_now = torch.lerp(velocity, asked, walks.clamp_max(1.0))
     pull = state.drive * velocity + RETURN * slow * (wanted_now - moved) + across
 
-    # Shares of the target in the blend: they grow with time, and with standing.
+    # A character that stands still, or goes elsewhere at low speed, does not go where it should.
+    along = (moved * R.normalize(velocity)).sum(-1, keepdim=True) / (LOW * speed).clamp_min(1e-6)
+    slowly = (2.0 - moved.norm(dim=-1, keepdim=True) / SLOW).clamp(0.0, 1.0)
+    astray = torch.where(speed > MOVES, slowly * (1.0 - along).clamp(0.0, 1.0), 0.0)
+
+    # Shares of the target in the blend: they grow with time, with standing, and if it goes astray.
     t = torch.tensor(ahead[1:], **like) / ahead[-1]
-    w_position = torch.lerp(1 - (1 - t) ** POSITION_BIAS, torch.ones_like(t), rest)
+    w_position = torch.lerp(1 - (1 - t) ** POSITION_BIAS, torch.ones_like(t), rest.maximum(astray))
     w_direction = torch.lerp(1 - (1 - t) ** DIRECTION_BIAS, torch.ones_like(t), rest)
 
     # Positions: the steps between the samples are blended, not the samples, and added up from the

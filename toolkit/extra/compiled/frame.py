@@ -42,6 +42,11 @@ def _lerp(a, b, share):
 
 
 @njit
+def _mix(a, b, share):
+    return ik.plus(ik.times(a, 1.0 - share), b, share)
+
+
+@njit
 def _pair(row):
     return np.float64(row[0]), np.float64(row[1])
 
@@ -131,12 +136,19 @@ def steer(old, wanted, look, rules, x, new):
         pull_x = drive * vx + hold * (_lerp(vx, asked[0], walks) - moved[0]) + across[0]
         pull_z = drive * vz + hold * (_lerp(vz, asked[1], walks) - moved[1]) + across[1]
 
+        # from 0 to 1: it does not go where it should
+        speed = math.hypot(vx, vz)
+        along = (moved[0] * vx + moved[1] * vz) / (rules.low * max(speed * speed, 1e-6))
+        slowly = min(max(2.0 - math.hypot(moved[0], moved[1]) / rules.slow, 0.0), 1.0)
+        astray = slowly * min(max(1.0 - along, 0.0), 1.0) if speed > rules.moves else 0.0
+
         # the future trajectory, step by step from the root
         root_x, root_z = _pair(history[-1])
         px, pz = root_x, root_z
         bent[0] = history[-1]
         for s in range(1, len(future)):
-            share, seconds = _lerp(rules.position_shares[s], 1.0, rest), rules.seconds[s]
+            share = _lerp(rules.position_shares[s], 1.0, max(rest, astray))
+            seconds = rules.seconds[s]
             (x1, z1), (x2, z2) = _pair(future[s - 1]), _pair(future[s])
             px += _lerp(x2 - x1, pull_x * seconds, share)
             pz += _lerp(z2 - z1, pull_z * seconds, share)
@@ -203,7 +215,7 @@ def _foot_lock(toes, drift, before, predicted, contacts, left, rules, new_toes, 
 
 
 @njit
-def _joints(was, now, turn, shift, contacts, rules, joints):
+def _joints(was, now, turn, shift, contacts, held, rules, joints):
     """The new pose ``[12 J]`` in the new root frame.
 
     Positions are means of the predicted and the integrated ones; legs in contact are integrated
@@ -227,7 +239,11 @@ def _joints(was, now, turn, shift, contacts, rules, joints):
         position = ik.plus(integrated, change, share * most / max(far, most))
         swing = lifts[j // 12] * max(position[1] - rules.ground, 0.0)
         position = position[0], position[1] + swing, position[2]
-        forward, up = ik.unit(ik.triple(now[j + FORWARD :])), ik.triple(now[j + UP :])
+        forward, up = ik.triple(now[j + FORWARD :]), ik.triple(now[j + UP :])
+        # a start: the pose goes the share 1 - held of a frame
+        position = _mix(position, old, held)
+        forward = ik.unit(_mix(forward, ik.triple(was[j + FORWARD :]), held))
+        up = _mix(up, ik.triple(was[j + UP :]), held)
         up = ik.unit(ik.plus(up, forward, -ik.dot(up, forward)))
         parts = ((POSITION, position), (FORWARD, forward), (UP, up), (VELOCITY, velocity))
         for at, vector in parts:
@@ -296,10 +312,13 @@ def after_network(old, z, rules, body, new):
         shift = new_cos * dx - new_sin * dz, new_sin * dx + new_cos * dz
         pose = new.joints[b]
         now = out[rules.joints_out : rules.joints_out + width]
-        _joints(old.joints[b], now, turn, shift, new.contacts[b], rules, pose)
+        speed = math.hypot(np.float64(new.velocity[b, 0]), np.float64(new.velocity[b, 1]))
+        held = rest if speed > rules.moves else 0.0  # a start
+        _joints(old.joints[b], now, turn, shift, new.contacts[b], held, rules, pose)
 
         # phases, which rest while the character stands on both feet
-        still = stand * min(np.float64(new.contacts[b, 0]), np.float64(new.contacts[b, 1]))
+        both = min(np.float64(new.contacts[b, 0]), np.float64(new.contacts[b, 1]))
+        still = max(stand * both, held)
         for i in range(0, count, 2):
             update, predicted_phase = out[rules.updates + i :], out[rules.phases + i :]
             _advance(old.phase[b, i:], update, predicted_phase, rules.pull, new.phase[b, i:])

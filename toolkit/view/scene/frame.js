@@ -89,12 +89,15 @@ export function steer(old, command, rules, x, next) {
   const slow = rules.stand_still * Math.max(1 - Math.min(speed / rules.slow, drive / rules.low), 0);
   const across = directionController(old, velocity, rules, next), now = moved(history, 0, rules);
   const walks = Math.min(Math.hypot(...command.velocity) / Math.max(Math.hypot(...now), rules.slow), 1);
+  const slowly = clamp(2 - Math.hypot(...now) / rules.slow, 0, 1); // astray: it does not go where it should
+  const along = (now[0] * velocity[0] + now[1] * velocity[1]) / (rules.low * Math.max(speed * speed, 1e-6));
+  const astray = speed > rules.moves ? slowly * clamp(1 - along, 0, 1) : 0;
   const pull = velocity.map((v, i) => drive * v + slow * (lerp(v, next.asked[i], walks) - now[i]) + across[i]);
   const rootX = history[here], rootZ = history[here + 1], sin = history[here + 2], cos = history[here + 3];
   let px = rootX, pz = rootZ;
   bent.set(history.subarray(here));
   for (let s = 1; s < rules.position_shares.length; s++) {
-    const at = 4 * s, share = lerp(rules.position_shares[s], 1, rest);
+    const at = 4 * s, share = lerp(rules.position_shares[s], 1, Math.max(rest, astray));
     px += lerp(future[at] - future[at - 4], pull[0] * rules.seconds[s], share);
     pz += lerp(future[at + 1] - future[at - 3], pull[1] * rules.seconds[s], share);
     bent[at] = px, bent[at + 1] = pz;
@@ -148,7 +151,7 @@ function footLock(old, before, predicted, left, rules, next) {
 
 // The new pose: halfway between the prediction and where velocities lead, seen from the new root frame; a leg in contact is
 // only led by its velocities.
-function pose(was, z, [sin, cos], [right, ahead], contacts, rules, joints) {
+function pose(was, z, [sin, cos], [right, ahead], contacts, held, rules, joints) {
   const { position, forward, up, velocity, width, joints_out } = rules, shares = new Float64Array(was.length / width).fill(0.5);
   rules.legs.forEach((leg, side) => leg.forEach((j) => (shares[j] *= 1 - Math.min(2 * contacts[side], 1))));
   const limits = new Float64Array(shares.length).fill(rules.jump);
@@ -156,14 +159,17 @@ function pose(was, z, [sin, cos], [right, ahead], contacts, rules, joints) {
   const lifts = new Float64Array(shares.length);
   rules.legs.forEach(([, , toe], side) => (lifts[toe] = rules.lift * (1 - Math.min(2 * contacts[side], 1))));
   const write = (at, vx, vy, vz) => (joints[at] = cos * vx + sin * vz, joints[at + 1] = vy, joints[at + 2] = cos * vz - sin * vx);
+  const slow = (at, v) => v.map((x, i) => lerp(x, was[at + i], held)); // a start: the share 1 - held of a frame
   for (let j = 0; j < was.length; j += width) {
-    const out = joints_out + j, p = out + position, v = out + velocity, at = j + position, [fx, fy, fz] = unit(three(z, out + forward));
-    const [ux, uy, uz] = three(z, out + up), along = ux * fx + uy * fy + uz * fz, over = unit([ux - along * fx, uy - along * fy, uz - along * fz]);
+    const out = joints_out + j, p = out + position, v = out + velocity, at = j + position;
+    const [fx, fy, fz] = unit(slow(j + forward, three(z, out + forward)));
+    const [ux, uy, uz] = slow(j + up, three(z, out + up)), along = ux * fx + uy * fy + uz * fz;
+    const over = unit([ux - along * fx, uy - along * fy, uz - along * fz]);
     const share = shares[j / width];
     const changes = [0, 1, 2].map((i) => share * (z[p + i] - was[at + i] - z[v + i] / rules.fps));
     const most = limits[j / width], slower = most / Math.max(Math.hypot(...changes), most), led = (i) => was[at + i] + z[v + i] / rules.fps + slower * changes[i];
     const swing = lifts[j / width] * Math.max(led(1) - rules.ground, 0);
-    write(at, led(0), led(1) + swing, led(2));
+    write(at, ...slow(at, [led(0), led(1) + swing, led(2)]));
     write(j + forward, fx, fy, fz);
     write(j + up, over[0], over[1], over[2]);
     write(j + velocity, z[v], z[v + 1], z[v + 2]);
@@ -196,8 +202,10 @@ export function afterNetwork(old, z, rules, next) {
     const contact = clamp(z[rules.contacts + side], 0, 1), low = old.toes[3 * side + 1] < rules.ground + rules.lifted;
     next.contacts[side] = stand > rules.stands && low ? Math.max(contact, Math.min(old.contacts[side] + rules.landing, 1)) : contact;
   }
-  pose(old.joints, z, around, [newCos * dx - newSin * dz, newSin * dx + newCos * dz], next.contacts, rules, next.joints);
-  const still = stand * Math.min(...next.contacts);
+  const held = Math.hypot(...next.velocity) > rules.moves ? next.rest[0] : 0;
+  const shift = [newCos * dx - newSin * dz, newSin * dx + newCos * dz];
+  pose(old.joints, z, around, shift, next.contacts, held, rules, next.joints);
+  const still = Math.max(stand * Math.min(...next.contacts), held);
   for (let i = 0; i < next.phase.length; i += 2) { // limb by limb, as networks/phase.py's advance
     const update = [0, 1].map((k) => z[rules.updates + i + k]), total = update.map((v, k) => old.phase[i + k] + v);
     const share = Math.min((rules.pull * Math.hypot(...update)) / Math.max(Math.hypot(...total), 1e-6), 0.5);
