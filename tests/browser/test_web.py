@@ -86,7 +86,7 @@ def test_a_crowd_looks_the_same_drawn_by_either_way(visit, pages):
     }""")
     assert seen["count"] == 3
     assert seen["shown"] > 0.005
-    assert seen["apart"] < 0.1 * seen["shown"]
+    assert seen["apart"] < 0.2 * seen["shown"]  # edges, more of them the nearer they are
     shows_as_text(page)
 
 
