@@ -1,5 +1,4 @@
-// A map of styles, drawn by Plotly, with a ring to drag. Traits: figure, place, and Plotly's code, which is not in this module:
-// anywidget gives a module two seconds to load.
+// A map of styles, drawn by Plotly, with a ring to drag. Traits: figure, place, and Plotly's code.
 const LOOK = {
   position: "absolute", width: "22px", height: "22px", margin: "-14px 0 0 -14px", borderRadius: "50%", cursor: "grab",
   border: "3px solid #2b323b", background: "rgba(43, 50, 59, 0.12)", boxShadow: "0 0 0 2px white", touchAction: "none",
@@ -7,7 +6,7 @@ const LOOK = {
 
 async function render({ model, el }) {
   if (!globalThis.Plotly) {
-    const url = URL.createObjectURL(new Blob([model.get("code")], { type: "text/javascript" }));
+    const url = URL.createObjectURL(new Blob([model.get("plotly")], { type: "text/javascript" }));
     await import(url);
     URL.revokeObjectURL(url);
   }

@@ -8,6 +8,7 @@ import math
 from collections.abc import Callable, Mapping
 
 import ipywidgets as widgets
+import traitlets
 
 from toolkit.motion import Clip
 from toolkit.view.frontend import CellWidget, escape, running_loop, static
@@ -21,7 +22,7 @@ PAUSE = 0.03  # seconds in which changes are collected before a new motion is ma
 class StyleTriangle(Corners):
     """A barycentric triangle with a marker to drag."""
 
-    _esm = static("triangle.js")
+    code = traitlets.Unicode(static("triangle.js")).tag(sync=True)
 
 
 class StyleBlender(CellWidget, widgets.HBox):

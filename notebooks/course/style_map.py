@@ -8,7 +8,6 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 
-import anywidget
 import ipywidgets as widgets
 import plotly.graph_objects as go
 import torch
@@ -25,7 +24,7 @@ from toolkit.motion import Clip
 from toolkit.networks import Predictor
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime import CharacterState
-from toolkit.view.frontend import escape, in_notebook
+from toolkit.view.frontend import PageWidget, escape, in_notebook
 from toolkit.view.pages.live_page import ordered
 from toolkit.view.render.picture import PAPER, Picture
 
@@ -80,15 +79,15 @@ def chart(bank: StyleBank, points: Tensor, groups: Sequence[str] | None = None) 
     )
 
 
-class StyleMap(anywidget.AnyWidget):
+class StyleMap(PageWidget):
     """A plotly figure with a ring to drag, at ``place`` [x, y] in the figure's units, a trait that
     can be observed and set.
 
     Plotly's own FigureWidget shows nothing with some versions of anywidget.
     """
 
-    _esm = Path(__file__).with_name("map.js")
-    code = traitlets.Unicode(get_plotlyjs()).tag(sync=True)
+    code = traitlets.Unicode(Path(__file__).with_name("map.js").read_text()).tag(sync=True)
+    plotly = traitlets.Unicode(get_plotlyjs()).tag(sync=True)
     figure = traitlets.Unicode().tag(sync=True)
     place = traitlets.List(traitlets.Float(), [0.0, 0.0], minlen=2, maxlen=2).tag(sync=True)
 

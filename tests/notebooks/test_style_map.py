@@ -69,7 +69,7 @@ def test_the_model_plays_and_outside_of_notebooks_it_is_the_map_alone(small_run)
     figure = explore(small_run.model, bank)
     assert type(figure).__name__ == "Figure"
     assert list(figure.data[0].text) == ["Neutral", "Zombie", "Third"]
-    assert "plotly.js" in StyleMap().code[:200]
+    assert "plotly.js" in StyleMap().plotly[:200]
     corners = torch.tensor([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
     shown = StyleExplorer(small_run.model, bank, corners, size=(96, 96))
     assert shown.player.shown[0].seconds == pytest.approx(2.0)

@@ -7,6 +7,7 @@ import base64
 import html
 import json
 import sys
+import uuid
 import weakref
 from collections.abc import Iterator
 from importlib import resources
@@ -92,19 +93,21 @@ class CellWidget(widgets.Widget):
         super().close()
 
 
-class SceneWidget(CellWidget, anywidget.AnyWidget):
+class PageWidget(anywidget.AnyWidget):
+    """A widget drawn by ``code``, a JavaScript module whose default export has ``render``."""
+
+    _esm = static("widget.js")
+    code = traitlets.Unicode().tag(sync=True)
+    key = traitlets.Unicode().tag(sync=True)  # by which the page finds the widget's model
+
+    def __init__(self, **traits):
+        key = uuid.uuid4().hex
+        super().__init__(key=key, model_id=key, **traits)
+
+
+class SceneWidget(CellWidget, PageWidget):
     """A widget that the code of the scene draws."""
 
-    # anywidget gives a module two seconds to load, on a busy machine too few for the scene. So it
-    # is loaded when the first of such widgets is drawn, and once for a page.
-    _esm = """const scenes = (globalThis.toolkitScenes ??= {});
-export default {
-  async render({ model, el }) {
-    const code = model.get("code"), type = "text/javascript";
-    scenes[code] ??= import(URL.createObjectURL(new Blob([code], { type })));
-    return (await scenes[code]).default.render({ model, el });
-  },
-};"""
     code = traitlets.Unicode(static("scene.js")).tag(sync=True)
 
 

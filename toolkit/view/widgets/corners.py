@@ -3,11 +3,12 @@
 import math
 from collections.abc import Iterable, Mapping, Sequence
 
-import anywidget
 import traitlets
 
+from toolkit.view.frontend import PageWidget
 
-class Corners(anywidget.AnyWidget):
+
+class Corners(PageWidget):
     """A widget with three styles, ``names``, and their shares, ``weights``: traits that can be
     observed, linked and set.
 

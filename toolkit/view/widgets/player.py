@@ -62,17 +62,21 @@ class Player(SceneWidget):
                  contacts=None, size: tuple[int, int] = (640, 480),
                  character: Character = None):
         self._figure, self._bodies = figure_of(character), {}
-        super().__init__(size=list(size))
-        self.show(clips, labels=labels, contacts=contacts)
+        super().__init__(size=list(size), **self._pack(clips, labels, contacts))
 
     def show(self, clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None,
              contacts=None) -> None:
         """Show other clips; the parameters are those of `play`."""
+        state = self._pack(clips, labels, contacts)
+        with self.hold_sync():
+            self.skeletons, self.clips = state["skeletons"], state["clips"]
+
+    def _pack(self, clips, labels, contacts) -> dict:
+        """The traits for other clips."""
         self.shown, self._bodies, packed = pack(
             clips, labels, contacts, None, self._figure, self._bodies
         )
-        with self.hold_sync():
-            self.skeletons, self.clips = list(self._bodies.values()), packed
+        return {"skeletons": list(self._bodies.values()), "clips": packed}
 
     @property
     def clip(self) -> Clip:
