@@ -132,7 +132,7 @@ def steer(
     # A character that stands still, or goes elsewhere at low speed, does not go where it should.
     along = (moved * R.normalize(velocity)).sum(-1, keepdim=True) / (LOW * speed).clamp_min(1e-6)
     slowly = (2.0 - moved.norm(dim=-1, keepdim=True) / SLOW).clamp(0.0, 1.0)
-    astray = torch.where(speed > MOVES, slowly * (1.0 - along).clamp(0.0, 1.0), 0.0)
+    astray = _moves(speed) * slowly * (1.0 - along).clamp(0.0, 1.0)
 
     # Shares of the target in the blend: they grow with time, with standing, and if it goes astray.
     t = torch.tensor(ahead[1:], **like) / ahead[-1]
@@ -183,7 +183,7 @@ def direction_controller(state: CharacterState, velocity: Tensor) -> tuple[Tenso
     aside = torch.where(moves, learnt, FORGET * state.aside)
 
     # Proportional and integral part, against the lateral velocity.
-    push = torch.where(moves, SIDEWAYS * lateral + aside, torch.zeros_like(aside))
+    push = _moves(velocity.norm(dim=-1, keepdim=True)) * (SIDEWAYS * lateral + aside)
     return asked, aside, -push * state.drive.clamp_min(1.0) * left
 
 
@@ -220,6 +220,11 @@ def speed_controller(state: CharacterState, velocity: Tensor) -> Tensor:
     # While the command is to stand, the drive goes back to 1.
     relaxed = torch.lerp(state.drive, torch.ones_like(driven), 0.05)
     return torch.where(wanted > MOVES, driven, relaxed)
+
+
+def _moves(speed: Tensor) -> Tensor:
+    """Share of walking, which grows with a commanded speed from `MOVES` to `SLOW`."""
+    return ((speed - MOVES) / (SLOW - MOVES)).clamp(0.0, 1.0)
 
 
 def _moved(state: CharacterState, now: int) -> Tensor:

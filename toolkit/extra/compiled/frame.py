@@ -79,8 +79,8 @@ def _direction_controller(old, b, velocity, rules, new):
     asked_x = _lerp(np.float64(old.asked[b, 0]), velocity[0], rules.asked)
     asked_z = _lerp(np.float64(old.asked[b, 1]), velocity[1], rules.asked)
     new.asked[b, 0], new.asked[b, 1] = asked_x, asked_z
-    aside = np.float64(old.aside[b, 0])
-    if math.hypot(velocity[0], velocity[1]) <= rules.moves:
+    aside, speed = np.float64(old.aside[b, 0]), math.hypot(velocity[0], velocity[1])
+    if speed <= rules.moves:
         new.aside[b, 0] = rules.forget * aside
         return 0.0, 0.0
     x, z = _unit2(velocity[0], velocity[1])
@@ -88,8 +88,15 @@ def _direction_controller(old, b, velocity, rules, new):
     lateral = (moved[0] - asked_x) * z - (moved[1] - asked_z) * x
     aside = min(max(aside + rules.sideways_sum * lateral, -1.0), 1.0)
     new.aside[b, 0] = aside
-    push = (rules.sideways * lateral + aside) * max(np.float64(old.drive[b, 0]), 1.0)
+    push = _moves(speed, rules) * (rules.sideways * lateral + aside)
+    push *= max(np.float64(old.drive[b, 0]), 1.0)
     return -push * z, push * x
+
+
+@njit
+def _moves(speed, rules):
+    """Share of walking."""
+    return min(max((speed - rules.moves) / (rules.slow - rules.moves), 0.0), 1.0)
 
 
 @njit
@@ -140,7 +147,7 @@ def steer(old, wanted, look, rules, x, new):
         speed = math.hypot(vx, vz)
         along = (moved[0] * vx + moved[1] * vz) / (rules.low * max(speed * speed, 1e-6))
         slowly = min(max(2.0 - math.hypot(moved[0], moved[1]) / rules.slow, 0.0), 1.0)
-        astray = slowly * min(max(1.0 - along, 0.0), 1.0) if speed > rules.moves else 0.0
+        astray = _moves(speed, rules) * slowly * min(max(1.0 - along, 0.0), 1.0)
 
         # the future trajectory, step by step from the root
         root_x, root_z = _pair(history[-1])

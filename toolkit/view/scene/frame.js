@@ -58,13 +58,16 @@ function speedController(history, drive, velocity, rules) {
   return clamp(drive + Math.max(drive, 1) * push, 0, rules.max_drive);
 }
 
+// share of walking, which grows with the commanded speed
+const moves = (speed, rules) => clamp((speed - rules.moves) / (rules.slow - rules.moves), 0, 1);
+
 // change of the target velocity that opposes the lateral velocity; fills asked and aside of the new state
 function directionController(old, velocity, rules, next) {
   const asked = velocity.map((v, i) => lerp(old.asked[i], v, rules.asked)), [x, z] = unit(velocity), now = moved(old.history, 0, rules);
-  const lateral = (now[0] - asked[0]) * z - (now[1] - asked[1]) * x, walks = Math.hypot(...velocity) > rules.moves;
+  const lateral = (now[0] - asked[0]) * z - (now[1] - asked[1]) * x, speed = Math.hypot(...velocity);
   next.asked.set(asked);
-  next.aside[0] = walks ? clamp(old.aside[0] + rules.sideways_sum * lateral, -1, 1) : rules.forget * old.aside[0];
-  const push = walks ? (rules.sideways * lateral + next.aside[0]) * Math.max(old.drive[0], 1) : 0;
+  next.aside[0] = speed > rules.moves ? clamp(old.aside[0] + rules.sideways_sum * lateral, -1, 1) : rules.forget * old.aside[0];
+  const push = moves(speed, rules) * (rules.sideways * lateral + next.aside[0]) * Math.max(old.drive[0], 1);
   return [-push * z, push * x];
 }
 
@@ -91,7 +94,7 @@ export function steer(old, command, rules, x, next) {
   const walks = Math.min(Math.hypot(...command.velocity) / Math.max(Math.hypot(...now), rules.slow), 1);
   const slowly = clamp(2 - Math.hypot(...now) / rules.slow, 0, 1); // astray: it does not go where it should
   const along = (now[0] * velocity[0] + now[1] * velocity[1]) / (rules.low * Math.max(speed * speed, 1e-6));
-  const astray = speed > rules.moves ? slowly * clamp(1 - along, 0, 1) : 0;
+  const astray = moves(speed, rules) * slowly * clamp(1 - along, 0, 1);
   const pull = velocity.map((v, i) => drive * v + slow * (lerp(v, next.asked[i], walks) - now[i]) + across[i]);
   const rootX = history[here], rootZ = history[here + 1], sin = history[here + 2], cos = history[here + 3];
   let px = rootX, pz = rootZ;
