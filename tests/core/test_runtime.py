@@ -367,6 +367,18 @@ def test_a_character_that_is_to_stop_is_opposed_and_one_that_is_to_turn_is_not(r
     assert steered.future[0, :, 1].tolist() == pytest.approx(expected, abs=1e-5)
 
 
+def test_no_controller_jumps_when_a_command_passes_through_standing(replayed):
+    """The lateral velocity is corrected with a speed factor of 9; the command is 0.1 m/s."""
+    state = runtime.start(replayed[0], torch.zeros(1))
+    state = dataclasses.replace(state, aside=torch.ones(1, 1), drive=torch.full((1, 1), 9.0))
+    futures = [
+        runtime.steering.steer(dataclasses.replace(state, velocity=torch.tensor([[0.0, speed]])),
+                               runtime.Command((0.0, speed)), (0, 10, 20, 30, 40, 50)).future
+        for speed in (0.099, 0.101)
+    ]
+    assert float((futures[0] - futures[1]).abs().max()) < 0.05  # metres
+
+
 def test_a_start_goes_where_it_is_told():
     """Of people who also walk backwards, some began with that, by up to a metre."""
     model, bank = tk.pretrained("recorded")

@@ -17,6 +17,7 @@ from toolkit.motion.springs import spring
 # Shares of a leg's length over which it stretches more and more slowly: with its toe in contact,
 # and in the air, where a knee that is nearly straight would move too fast.
 SOFT, SWING = 0.01, 0.03
+STRAIGHT = 0.1  # sine of the angle below which a thigh says less and less where the knee goes
 NEAR = 0.08  # metres that a locked toe may always stay behind towards the other toe
 SLACK = 0.3  # metres that a locked toe may stay behind its prediction
 RETURN = 10.0  # per second: decay of a released toe's offset from its prediction, and of the hips'
@@ -49,7 +50,8 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
         turned with the line from `a` to its end.
     soft : share of the full length, in [0, 1), a number or Tensor [..., 1]
     left : Tensor [..., 3]
-        From the right hip to the left one: a knee that bends backwards is mirrored to the front.
+        From the right hip to the left one: a knee that bends backwards is mirrored to the front,
+        and that of a leg which is nearly `STRAIGHT` goes there, because its side is chance.
 
     Returns
     -------
@@ -73,6 +75,7 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
     if left is not None:
         front = torch.linalg.cross(line, R.normalize(left).expand_as(line))
         across = across - 2 * (across * front).sum(-1, keepdim=True).clamp_max(0.0) * front
+        across = across + (STRAIGHT - across.norm(dim=-1, keepdim=True)).clamp_min(0.0) * front
     aside = torch.linalg.cross(line, R.least_axis(line))
     across = R.normalize(torch.where(across.norm(dim=-1, keepdim=True) > 1e-5, across, aside))
 

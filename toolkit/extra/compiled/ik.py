@@ -11,7 +11,7 @@ from numba import njit
 
 from toolkit.features.layout import CHANNELS
 from toolkit.io.compilation import compiled
-from toolkit.motion.ik import SOFT
+from toolkit.motion.ik import SOFT, STRAIGHT
 
 #: Columns of the twelve of a joint.
 POSITION, FORWARD = 3 * CHANNELS.index("position"), 3 * CHANNELS.index("forward")
@@ -144,8 +144,10 @@ def _two_bone(a, b, c, target, left, soft=SOFT):
     distance = max(distance, abs(upper - lower) + 1e-6 * full)
     side = unit(_rotate(_between(plus(c, a, -1.0), line), upper_bone))
     across = plus(side, line, -dot(side, line))
-    front = _cross(line, unit(left))  # a knee that bends backwards is mirrored to the front
+    # A knee that bends backwards is mirrored to the front; that of a straight leg goes there.
+    front = _cross(line, unit(left))
     across = plus(across, front, -2 * min(dot(across, front), 0.0))
+    across = plus(across, front, max(STRAIGHT - math.sqrt(dot(across, across)), 0.0))
     across = unit(across) if math.sqrt(dot(across, across)) > 1e-5 else _across(line)
     along = (upper * upper - lower * lower + distance * distance) / (2 * distance)
     height = math.sqrt(max(upper * upper - along * along, 0.0))

@@ -41,14 +41,21 @@ function fromForwardUp(forward, up) {
   return q[0] < 0 ? q.map((v) => -v) : q;
 }
 
+const STRAIGHT = 0.1; // sine of the angle below which a thigh says less and less where the knee goes
+
 // knee and ankle of a leg whose ankle should be at the target, soft near full stretch
 export function twoBone(a, b, c, target, left, soft = 0.01, pole = null) {
   const reach = minus(target, a), upper = Math.hypot(...minus(b, a)), lower = Math.hypot(...minus(c, b));
   const wanted = Math.hypot(...reach), full = upper + lower, margin = Math.max(soft * full, 1e-9);
   const line = unit(wanted > 1e-9 ? reach : plus(minus(c, a), [1, 1, 1], 1e-9)), over = wanted - (full - margin);
   const distance = Math.max(over > 0 ? full - margin * Math.exp(-over / margin) : wanted, Math.abs(upper - lower) + 1e-6 * full);
-  const side = unit(pole ?? rotate(between(minus(c, a), line), minus(b, a))), bent = plus(side, line, -dot(side, line));
-  const front = left && cross(line, unit(left)), off = left ? plus(bent, front, -2 * Math.min(dot(bent, front), 0)) : bent; // a knee that bends backwards is mirrored to the front
+  const side = unit(pole ?? rotate(between(minus(c, a), line), minus(b, a)));
+  let off = plus(side, line, -dot(side, line));
+  if (left) { // a knee that bends backwards is mirrored to the front; that of a straight leg goes there
+    const front = cross(line, unit(left));
+    off = plus(off, front, -2 * Math.min(dot(off, front), 0));
+    off = plus(off, front, Math.max(STRAIGHT - Math.hypot(...off), 0));
+  }
   const out = Math.hypot(...off) > 1e-5 ? unit(off) : across(line);
   const along = (upper ** 2 - lower ** 2 + distance ** 2) / (2 * distance);
   const height = Math.sqrt(Math.max(upper ** 2 - along ** 2, 0));
