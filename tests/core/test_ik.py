@@ -93,13 +93,18 @@ def test_two_bone_against_bisection(distance):
     torch.testing.assert_close(knee, middle, atol=1e-3 if reached > 0.84 else 1e-7, rtol=0)
 
 
-def held_slowly(toe, drift, before, predicted, other, contact, inwards, both, seconds):
+def held_slowly(toe, drift, before, predicted, other, was, contact, inwards, both, seconds):
     """`ik.foot_lock` of one toe."""
     offset, behind = toe - before, toe - predicted
+    behind = behind * min(1.0, 0.3 / float(behind.norm()))
+    slowed = [False, False, False]
     if contact > 0.5:
-        now = behind * min(1.0, 0.3 / float(behind.norm()))
+        now, slowed = behind, [True, True, True]
     else:
         now, drift = spring(offset, drift, 10.0, seconds)
+        if contact > was and float(predicted[1]) < 0.04:
+            slowed = [True, False, True]
+            now[slowed] += 2 * contact * (behind - now)[slowed]
     limit = max(0.08, float((other - predicted) @ inwards) / 4)
     now = now - max(0.0, float(now @ inwards) - limit) * inwards
     up = 0.02 - float((predicted + now)[1])  # to a ground at 2 cm
@@ -107,8 +112,7 @@ def held_slowly(toe, drift, before, predicted, other, contact, inwards, both, se
     if (both or (contact > 0.5 and up > 0)) and abs(up) > 0.02:
         most += (abs(up) - 0.02) * seconds / 0.2
     now[1] += min(max(up, -most), most)
-    if contact > 0.5:
-        drift = (now - offset) / seconds
+    drift[slowed] = ((now - offset) / seconds)[slowed]
     return predicted + now, drift
 
 
@@ -124,13 +128,15 @@ def test_every_toe_of_a_crowd_is_held_as_in_a_slow_loop():
     contacts[::3] = 1.0
     toes[::6, 0, 1] = 0.0201  # nearer than one frame goes
     left = R.normalize(torch.randn(crowd, 2, **shape))
-    found, speeds = ik.foot_lock(toes, drift, before, predicted, contacts, left, 0.02, 0.02)
+    was = torch.rand(crowd, 2, **shape)
+    feet = toes, drift, before, predicted
+    found, speeds = ik.foot_lock(*feet, was, contacts, left, 0.02, 0.02)
     for c in range(crowd):
         for foot, sign in enumerate((1, -1)):
-            own = (x[c, foot] for x in (toes, drift, before, predicted))
+            own = (x[c, foot] for x in feet)
             inwards = sign * torch.stack((left[c, 0], 0 * left[c, 0], left[c, 1]))
-            toe, speed = held_slowly(*own, predicted[c, 1 - foot], float(contacts[c, foot]),
-                                     inwards, c % 3 == 0, 0.02)
+            now = (float(x[c, foot]) for x in (was, contacts))
+            toe, speed = held_slowly(*own, predicted[c, 1 - foot], *now, inwards, c % 3 == 0, 0.02)
             torch.testing.assert_close(found[c, foot], toe, atol=1e-12, rtol=0)
             torch.testing.assert_close(speeds[c, foot], speed, atol=1e-9, rtol=0)
 

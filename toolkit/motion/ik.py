@@ -86,15 +86,18 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
     return a + along * line + beside * across, a + distance * line
 
 
-def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, contacts: Tensor,
-              left: Tensor, ground: float, seconds: float) -> tuple[Tensor, Tensor]:
+def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, was: Tensor,
+              contacts: Tensor, left: Tensor, ground: float,
+              seconds: float) -> tuple[Tensor, Tensor]:
     """Lock toes in contact where they landed (foot-contact IK, Mason et al. 2022, section 4.4).
 
     The paper does not say how its toes get their targets; this rule is ours. A blend of the last
     position and the prediction, weighted by contact, lets a toe slide in each frame where the
     weight is below 1. We lock a toe fully, in three dimensions, while its contact is above one
     half. After that, its offset from the prediction decays like a critically damped spring that
-    starts at rest, so that the toe does not jump. The offset of a toe is at most `SLACK`, and its
+    starts at rest, so that the toe does not jump. A toe that lands, low and with a contact that
+    grows, is already slowed down by twice the contact: else it slides until it is locked. The
+    offset of a toe is at most `SLACK`, and its
     part towards the other toe at most a quarter of their distance or `NEAR`, so that the legs do
     not cross when a character turns on the spot. Toes land at the heights that the network
     predicts, one up to 3 cm over the other. While both are in contact, their heights go to the
@@ -106,7 +109,7 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, co
     toes : Tensor [..., 2, 3], targets in the frame before, right and left, world, metres
     drift : Tensor [..., 2, 3], velocity of their offset from the predictions, m/s
     before, predicted : Tensor [..., 2, 3], the network's toes in the frame before and in this one
-    contacts : Tensor [..., 2], in this frame, in [0, 1]
+    was, contacts : Tensor [..., 2], in the frame before and in this one, in [0, 1]
     left : Tensor [..., 2], unit vector (x, z) to the character's left
     ground : height of a standing toe, metres
     seconds : between the frames
@@ -116,12 +119,15 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, co
     toes, drift : Tensor [..., 2, 3], of this frame
     """
     # All offsets are from the prediction. That of a held toe is such that the toe stays in its
-    # place; that of a free one decays.
+    # place; that of a free one decays. A toe that lands is between, but for its height.
     offset, behind = toes - before, toes - predicted
     behind = behind * (SLACK / behind.norm(dim=-1, keepdim=True).clamp_min(SLACK))
     free, slower = spring(offset, drift, RETURN, seconds)
     held = contacts[..., None] > 0.5
-    now = torch.where(held, behind, free)
+    lands = (contacts > was)[..., None] & (predicted[..., 1:2] < ground + UNEVEN)
+    share = torch.where(lands, (2 * contacts[..., None]).clamp_max(1.0), 0.0)
+    share = torch.cat((share, torch.zeros_like(share), share), -1).where(~held, 1.0)
+    now = torch.lerp(free, behind, share)
 
     # The legs do not cross: an offset goes only so far towards the other toe.
     level = torch.stack((left[..., 0], torch.zeros_like(left[..., 0]), left[..., 1]), -1)
@@ -137,7 +143,7 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, co
     most = (SETTLE * both.to(far) + far / LEVEL) * seconds
     down = down.clamp(-most, most)
     now = now + torch.nn.functional.pad(down, (1, 1))
-    return predicted + now, torch.where(held, (now - offset) / seconds, slower)
+    return predicted + now, torch.where(share > 0, (now - offset) / seconds, slower)
 
 
 def sink(drop: Tensor, hips: Tensor, ankles: Tensor, length: Tensor, contacts: Tensor,

@@ -228,7 +228,7 @@ def planted(model, state: CharacterState, new: CharacterState) -> CharacterState
     before, toes = (predicted_toes(layout, s) for s in (state, new))
     left = torch.stack((new.root[:, 3], -new.root[:, 2]), -1)
     toes, drift = foot_lock(
-        state.toes, state.drift, before, toes, new.contacts, left, ground, 1 / FPS
+        state.toes, state.drift, before, toes, state.contacts, new.contacts, left, ground, 1 / FPS
     )
     return _with_legs(layout, dataclasses.replace(new, toes=toes, drift=drift))
 

@@ -185,7 +185,7 @@ def _toes(history, joints, rules, place):
 
 
 @njit
-def _foot_lock(toes, drift, before, predicted, contacts, left, rules, new_toes, new_drift):
+def _foot_lock(toes, drift, before, predicted, was, contacts, left, rules, new_toes, new_drift):
     """`toolkit.motion.ik.foot_lock` of one character."""
     seconds = 1 / rules.fps
     fade = math.exp(-rules.let_go * seconds)
@@ -196,12 +196,17 @@ def _foot_lock(toes, drift, before, predicted, contacts, left, rules, new_toes, 
         offset = ik.plus(toe, ik.triple(before[side]), -1.0)
         push = ik.plus(speed, offset, rules.let_go)
         held = contacts[side] > 0.5
-        # in contact the toe stays where it was, if near; else its offset decays by a spring
+        # in contact the toe stays where it was, if near; else its offset decays by a spring, and
+        # less if it lands
+        stays = ik.plus(toe, there, -1.0)
+        stays = ik.times(stays, rules.slack / max(math.sqrt(ik.dot(stays, stays)), rules.slack))
+        now = ik.times(ik.plus(offset, push, seconds), fade)
+        lands = contacts[side] > was[side] and there[1] < rules.ground + rules.uneven
+        share = min(2 * np.float64(contacts[side]), 1.0) if lands else 0.0
         if held:
-            now = ik.plus(toe, there, -1.0)
-            now = ik.times(now, rules.slack / max(math.sqrt(ik.dot(now, now)), rules.slack))
+            now = stays
         else:
-            now = ik.times(ik.plus(offset, push, seconds), fade)
+            now = _lerp(now[0], stays[0], share), now[1], _lerp(now[2], stays[2], share)
         # an offset towards the other toe is at most a quarter of their distance, or near
         inwards = (left[0], 0.0, left[1]) if side == 0 else (-left[0], 0.0, -left[1])
         apart = ik.dot(ik.plus(ik.triple(predicted[1 - side]), there, -1.0), inwards)
@@ -213,10 +218,12 @@ def _foot_lock(toes, drift, before, predicted, contacts, left, rules, new_toes, 
         far = max(abs(down) - rules.uneven, 0.0) * rules.level if settles else 0.0
         down = min(max(down, -most - far), most + far)
         now = now[0], now[1] + down, now[2]
+        slower = ik.times(ik.plus(speed, push, -rules.let_go * seconds), fade)
+        change = ik.times(ik.plus(now, offset, -1.0), 1 / seconds)
         if held:
-            slower = ik.times(ik.plus(now, offset, -1.0), 1 / seconds)
-        else:
-            slower = ik.times(ik.plus(speed, push, -rules.let_go * seconds), fade)
+            slower = change
+        elif share > 0.0:
+            slower = change[0], slower[1], change[2]
         ik.put(new_drift[side], slower)
         ik.put(new_toes[side], ik.plus(there, now))
 
@@ -336,6 +343,6 @@ def after_network(old, z, rules, body, new):
         _toes(old.history[b], old.joints[b], rules, before)
         _toes(history, pose, rules, predicted)
         left, toes, contacts = (new_cos, -new_sin), new.toes[b], new.contacts[b]
-        toes_were, drift, new_drift = old.toes[b], old.drift[b], new.drift[b]
-        _foot_lock(toes_were, drift, before, predicted, contacts, left, rules, toes, new_drift)
+        toes_were, drift, new_drift, was = old.toes[b], old.drift[b], new.drift[b], old.contacts[b]
+        _foot_lock(toes_were, drift, before, predicted, was, contacts, left, rules, toes, new_drift)
         ik.plant(body, rules, toes, history[-1], contacts, old.drop[b], new.drop[b], pose)

@@ -133,20 +133,18 @@ function footLock(old, before, predicted, left, rules, next) {
     const there = predicted[side], other = predicted[1 - side], inwards = left.map((v) => (side ? -v : v));
     const offset = there.map((_, i) => old.toes[3 * side + i] - before[side][i]);
     const push = offset.map((v, i) => old.drift[3 * side + i] + rules.let_go * v);
-    const held = next.contacts[side] > 0.5;
-    let now;
-    if (held) {
-      now = there.map((v, i) => old.toes[3 * side + i] - v);
-      const scale = rules.slack / Math.max(Math.hypot(...now), rules.slack);
-      now = now.map((v) => v * scale);
-    } else now = offset.map((v, i) => fade * (v + push[i] * seconds));
+    const contact = next.contacts[side], held = contact > 0.5;
+    const lands = contact > old.contacts[side] && there[1] < rules.ground + rules.uneven ? Math.min(2 * contact, 1) : 0;
+    const shares = held ? [1, 1, 1] : [lands, 0, lands], stays = there.map((v, i) => old.toes[3 * side + i] - v);
+    const scale = rules.slack / Math.max(Math.hypot(...stays), rules.slack);
+    let now = offset.map((v, i) => lerp(fade * (v + push[i] * seconds), stays[i] * scale, shares[i]));
     const apart = (other[0] - there[0]) * inwards[0] + (other[2] - there[2]) * inwards[1];
     const over = Math.max(now[0] * inwards[0] + now[2] * inwards[1] - Math.max(apart / 4, rules.near), 0);
     const up = rules.ground - there[1] - now[1];
     const far = most || (held && up > 0) ? Math.max(Math.abs(up) - rules.uneven, 0) : 0, limit = most + far * rules.level;
     now = [now[0] - over * inwards[0], now[1] + clamp(up, -limit, limit), now[2] - over * inwards[1]];
     for (const i of [0, 1, 2])
-      next.drift[3 * side + i] = held ? (now[i] - offset[i]) / seconds
+      next.drift[3 * side + i] = shares[i] > 0 ? (now[i] - offset[i]) / seconds
         : fade * (old.drift[3 * side + i] - rules.let_go * push[i] * seconds);
     next.toes.set(there.map((v, i) => v + now[i]), 3 * side);
   }
