@@ -3,6 +3,7 @@ without harm.
 """
 
 import dataclasses
+import io
 import json
 import os
 import re
@@ -332,6 +333,15 @@ def test_names_of_files_that_are_read_and_written_are_printed_without_control_ch
     verbs = (Path(tk.__file__).parent / "cli").glob("*.py")
     assert [path.name for path in verbs
             if re.search(r"\bprint\(", path.read_text("utf-8"))] == ["verbs.py"]
+
+
+def test_a_pipe_that_cannot_encode_a_letter_gets_a_question_mark(
+        walk_clip, tmp_path, monkeypatch):
+    path, pipe = tmp_path / "歩く.bvh", io.BytesIO()
+    tk.bvh.save(walk_clip.cut(0, 30), path)
+    monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(pipe, "ascii", write_through=True))
+    assert main(["inspect", str(path), "--unit", "0.01", "--up", "y"]) == 0
+    assert b"??.bvh" in pipe.getvalue()
 
 
 #: Variables that an odd machine lacks.
