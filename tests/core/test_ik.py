@@ -93,7 +93,7 @@ def test_two_bone_against_bisection(distance):
     torch.testing.assert_close(knee, middle, atol=1e-3 if reached > 0.84 else 1e-7, rtol=0)
 
 
-def held_slowly(toe, drift, before, predicted, other, was, contact, inwards, both, seconds):
+def held_slowly(toe, drift, before, predicted, other, bears, was, contact, inwards, both, seconds):
     """`ik.foot_lock` of one toe."""
     offset, behind = toe - before, toe - predicted
     behind = behind * min(1.0, 0.3 / float(behind.norm()))
@@ -104,7 +104,7 @@ def held_slowly(toe, drift, before, predicted, other, was, contact, inwards, bot
         now, drift = spring(offset, drift, 10.0, seconds)
         if contact > was and float(predicted[1]) < 0.04:
             slowed = [True, False, True]
-            now[slowed] += 2 * contact * (behind - now)[slowed]
+            now[slowed] += 2 * contact * min(1.0, 2 * bears) * (behind - now)[slowed]
     limit = max(0.08, float((other - predicted) @ inwards) / 4)
     now = now - max(0.0, float(now @ inwards) - limit) * inwards
     up = 0.02 - float((predicted + now)[1])  # to a ground at 2 cm
@@ -135,7 +135,7 @@ def test_every_toe_of_a_crowd_is_held_as_in_a_slow_loop():
         for foot, sign in enumerate((1, -1)):
             own = (x[c, foot] for x in feet)
             inwards = sign * torch.stack((left[c, 0], 0 * left[c, 0], left[c, 1]))
-            now = (float(x[c, foot]) for x in (was, contacts))
+            now = float(was[c, 1 - foot]), float(was[c, foot]), float(contacts[c, foot])
             toe, speed = held_slowly(*own, predicted[c, 1 - foot], *now, inwards, c % 3 == 0, 0.02)
             torch.testing.assert_close(found[c, foot], toe, atol=1e-12, rtol=0)
             torch.testing.assert_close(speeds[c, foot], speed, atol=1e-9, rtol=0)

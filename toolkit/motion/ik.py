@@ -96,8 +96,8 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, wa
     weight is below 1. We lock a toe fully, in three dimensions, while its contact is above one
     half. After that, its offset from the prediction decays like a critically damped spring that
     starts at rest, so that the toe does not jump. A toe that lands, low and with a contact that
-    grows, is already slowed down by twice the contact: else it slides until it is locked. The
-    offset of a toe is at most `SLACK`, and its
+    grows, while the other one was in contact, is already slowed down by twice these contacts: else
+    it slides until it is locked. The offset of a toe is at most `SLACK`, and its
     part towards the other toe at most a quarter of their distance or `NEAR`, so that the legs do
     not cross when a character turns on the spot. Toes land at the heights that the network
     predicts, one up to 3 cm over the other. While both are in contact, their heights go to the
@@ -125,7 +125,8 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, wa
     free, slower = spring(offset, drift, RETURN, seconds)
     held = contacts[..., None] > 0.5
     lands = (contacts > was)[..., None] & (predicted[..., 1:2] < ground + UNEVEN)
-    share = torch.where(lands, (2 * contacts[..., None]).clamp_max(1.0), 0.0)
+    share = (2 * contacts).clamp_max(1.0) * (2 * was.flip(-1)).clamp_max(1.0)
+    share = torch.where(lands, share[..., None], 0.0)
     share = torch.cat((share, torch.zeros_like(share), share), -1).where(~held, 1.0)
     now = torch.lerp(free, behind, share)
 

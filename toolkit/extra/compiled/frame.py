@@ -203,6 +203,7 @@ def _foot_lock(toes, drift, before, predicted, was, contacts, left, rules, new_t
         now = ik.times(ik.plus(offset, push, seconds), fade)
         lands = contacts[side] > was[side] and there[1] < rules.ground + rules.uneven
         share = min(2 * np.float64(contacts[side]), 1.0) if lands else 0.0
+        share *= min(2 * np.float64(was[1 - side]), 1.0)
         if held:
             now = stays
         else:

@@ -134,8 +134,9 @@ function footLock(old, before, predicted, left, rules, next) {
     const offset = there.map((_, i) => old.toes[3 * side + i] - before[side][i]);
     const push = offset.map((v, i) => old.drift[3 * side + i] + rules.let_go * v);
     const contact = next.contacts[side], held = contact > 0.5;
-    const lands = contact > old.contacts[side] && there[1] < rules.ground + rules.uneven ? Math.min(2 * contact, 1) : 0;
-    const shares = held ? [1, 1, 1] : [lands, 0, lands], stays = there.map((v, i) => old.toes[3 * side + i] - v);
+    const lands = contact > old.contacts[side] && there[1] < rules.ground + rules.uneven;
+    const share = lands ? Math.min(2 * contact, 1) * Math.min(2 * old.contacts[1 - side], 1) : 0;
+    const shares = held ? [1, 1, 1] : [share, 0, share], stays = there.map((v, i) => old.toes[3 * side + i] - v);
     const scale = rules.slack / Math.max(Math.hypot(...stays), rules.slack);
     let now = offset.map((v, i) => lerp(fade * (v + push[i] * seconds), stays[i] * scale, shares[i]));
     const apart = (other[0] - there[0]) * inwards[0] + (other[2] - there[2]) * inwards[1];
