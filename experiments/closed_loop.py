@@ -13,10 +13,10 @@ import typer
 from torch import Tensor
 from tqdm import tqdm
 
-from experiments.tables import RESULTS, Result, Store
+from experiments.tables import Result, Store
 from toolkit import published, runtime
 from toolkit.cli import verbs
-from toolkit.evaluation import metrics
+from toolkit.evaluation import defects, metrics
 from toolkit.io import bvh
 from toolkit.motion import Clip, contacts, root_frames, rotations as R
 from toolkit.motion.skeleton import FEET
@@ -49,10 +49,11 @@ MEASURES = {
     "knee": ("knee, 1000 degrees/s²", 1, 15.0),
     "wrist": ("wrist, 1000 m/s³", 2, 1.7),
     "ankle": ("ankle over a toe in contact, cm/s", 0, None),
+    "found": ("seconds with a finding, mean, %", 1, None),
 }  # fmt: skip
-WALK = "direction", "speed", "toes", "raw", "slow", "steps", "clearance"
-FAST = "direction", "speed", "toes"
-POPS = "toes", "knee", "wrist", "ankle"
+WALK = "direction", "speed", "toes", "raw", "slow", "steps", "clearance", "found"
+FAST = "direction", "speed", "toes", "found"
+POPS = "toes", "knee", "wrist", "ankle", "found"
 #: What is measured on each track.
 TRACKS = {
     "natural": WALK, "alive": WALK, "1 m/s": WALK, "2 m/s": FAST, "sideways": FAST,
@@ -100,7 +101,7 @@ def run(
     kind = "published" if parameters else "embedded" if model is None else model.stem
     fast = runtime.compile(net) if net.name == "lpn-film" else net
     for take in takes or ():
-        _print(f"take {take.stem}", of_clip(bvh.load(take).resample(FPS).cut(start)))
+        _print({f"take {take.stem}": of_clip(bvh.load(take).resample(FPS).cut(start))})
     names = list(bank.names) if styles is None else styles.split(",")
     bank = bank.select([name for name in names if not parameters or name != MISBEHAVES])
     found = {}
@@ -110,9 +111,8 @@ def run(
         runs = [measured(fast, bank, track, seed) for seed in (SEEDS if track == "alive" else [0])]
         rows = [{key: sum(row[key] for row in same) / len(same) for key in TRACKS[track]}
                 for same in zip(*runs, strict=True)]
-        print(f"\n{track}\n{'':<24}" + "".join(f"{MEASURES[key][0]:>34}" for key in TRACKS[track]))
-        for name, row in zip(bank.names, rows, strict=True):
-            print(f"{name:<24}" + _cells(row), flush=True)
+        print(f"\n{track}")
+        _print(dict(zip(bank.names, rows, strict=True)))
         for key in TRACKS[track]:
             found[f"{track}: {MEASURES[key][0]}"] = _summary(key, bank.names,
                                                              [row[key] for row in rows])
@@ -206,11 +206,13 @@ def of_clip(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
     thigh, shank = at["knee"] - at["hip"], at["foot"] - at["knee"]
     bend = R.angle(thigh, shank)
     feet = metrics.feet(clip, contact)
+    found = {s for it in defects(clip) for s in range(int(it.start), math.ceil(it.end))}
     return {
         "toes": float(toes[on].mean()), "ankle": float(ankles[on].max()) if on.any() else 0.0,
         "knee": float(bend.rad2deg().diff(n=2, dim=0).abs().max()) * clip.fps**2 / 1000,
         "wrist": float(at["hand"].diff(n=3, dim=0).norm(dim=-1).max()) * clip.fps**3 / 1000,
         "slow": slow_motion(clip), "steps": feet["steps"], "clearance": 100 * feet["clearance"],
+        "found": 100 * len(found) / math.ceil(clip.seconds),
     }  # fmt: skip
 
 
@@ -227,22 +229,21 @@ def slow_motion(clip: Clip) -> float:
     return 100 * float((means - means.mean(0)).square().sum(-1).mean(0).sqrt().mean())
 
 
-def _print(what: str, row: dict[str, float]) -> None:
-    """A row under the titles of its measures."""
-    print(f"\n{'':<24}" + "".join(f"{MEASURES[key][0]:>34}" for key in row))
-    print(f"{what:<24}" + _cells(row), flush=True)
-
-
-def _cells(row: dict[str, float]) -> str:
-    return "".join(f"{value:>34.{MEASURES[key][1]}f}" for key, value in row.items())
+def _print(rows: dict[str, dict[str, float]]) -> None:
+    """Rows under titles of measures."""
+    print(f"{'':<24}" + "".join(f"{MEASURES[key][0]:>34}" for key in next(iter(rows.values()))))
+    for what, row in rows.items():
+        cells = (f"{value:>34.{MEASURES[key][1]}f}" for key, value in row.items())
+        print(f"{what:<24}" + "".join(cells))
 
 
 def _summary(key: str, names: Sequence[str], values: list[float]) -> dict[str, float | str]:
-    """Median, worst and its style, and in how many styles the aim is kept."""
+    """Median or mean, worst and its style, how many keep the aim."""
     held = torch.tensor(values).nan_to_num(math.inf)
     off = (held - 1).abs() if key == "speed" else -held if key in ("slow", "clearance") else held
     worst, most = int(off.argmax()), MEASURES[key][2]
-    return {"median": float(held.median()), "worst": float(held[worst]), "which": names[worst],
+    middle = held.mean() if key == "found" else held.median()
+    return {"median": float(middle), "worst": float(held[worst]), "which": names[worst],
             "kept": len(names) if most is None else int((held <= most).sum())}
 
 
@@ -253,9 +254,7 @@ def _store(kind: str, found: dict[str, dict[str, float | str]]) -> None:
     for name in ("published", "embedded", "recorded"):
         columns |= {f"{name}_median": [name, 2], f"{name}_worst": ["worst", 2],
                     f"{name}_which": ["of"], f"{name}_kept": ["kept by", 0]}
-    known = {}
-    if (RESULTS / f"{STORED}.json").exists():
-        known = {row["what"]: row for row in Result.load(STORED, RESULTS).rows}
+    known = {row["what"]: row for row in Result.load(STORED).rows}
     asked = {f"{track}: {MEASURES[key][0]}": MEASURES[key][2]
              for track, keys in TRACKS.items() for key in keys}
     rows = []
@@ -266,4 +265,4 @@ def _store(kind: str, found: dict[str, dict[str, float | str]]) -> None:
     Result(STORED, "Every style on the same tracks: 99 published styles without Drunk, 25 "
                    "embedded ones, 14 of recorded people; alive is the mean of three seeds",
            "python -m experiments closed-loop [--published FOLDER | --model recorded] --store",
-           columns, rows).save(RESULTS)
+           columns, rows).save()
