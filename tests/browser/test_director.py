@@ -438,13 +438,13 @@ def test_a_change_computes_only_what_it_changes(desk):
 def test_defects_are_those_of_python_and_red_on_the_timeline(desk):
     near = {"version": 1, "shots": [
         {"path": [[0, 0], [0, 1]], "styles": "Neutral", "duration": 2},
-        {"path": [[0.3, 1.5], [0.3, 0.5], [1.5, 0.5]], "styles": "MarchKick", "duration": 2,
-         "name": "kicks"}]}
+        {"path": [[0.3, 1.5], [0.3, 0.5], [1.5, 0.5]], "styles": "WideLegs", "duration": 2,
+         "name": "wide"}]}
     desk.open(near)
     desk.page.wait_for_function("() => view.desk.findings", timeout=60_000)
     found = desk.page.evaluate("() => view.desk.findings")
     expected = tk.evaluation.defects([desk.clip(0), desk.clip(1)])
-    assert {one["kind"] for one in found} >= {"body", "short slide", "floor"}
+    assert {one["kind"] for one in found} >= {"body", "pop", "floor"}
     assert {one["joint"] for one in found} > {"left_toe", "limb and limb of 0 and 1"}
     assert [(one["kind"], one["joint"]) for one in found] == [
         (one.kind, one.joint) for one in expected]
@@ -452,7 +452,7 @@ def test_defects_are_those_of_python_and_red_on_the_timeline(desk):
         assert [one[what] for one in found] == pytest.approx(
             [getattr(one, attribute) for one in expected], abs=2e-3, rel=1e-5)
     desk.page.evaluate(FRAMES)
-    for who, tab in enumerate(("shot", "kicks")):
+    for who, tab in enumerate(("shot", "wide")):
         desk.page.get_by_role("tab", name=tab, exact=True).click()
         desk.page.evaluate(FRAMES)
         shown = sum(one.character == who or "of 0" in one.joint for one in expected)

@@ -171,7 +171,7 @@ def figures() -> list:
     clip, known = procedural.truth("Neutral", "FW", 3.0)
     t = torch.linspace(-0.5, 0.5, 61).double()
     fits = {f: ((6.28 * f * t).sin(), abs(f - 1.0)) for f in (0.5, 1.0, 1.5)}
-    pose = torch.rand(3, 3)
+    pose = torch.rand(3, 3, generator=torch.Generator().manual_seed(0))
     return [
         feature_figures.carried(clip, 120, 4),
         phase_figures.cycle(clip, known.phase[:, 0], 60, 120),
