@@ -86,7 +86,7 @@ class StyleMap(PageWidget):
     Plotly's own FigureWidget shows nothing with some versions of anywidget.
     """
 
-    code = traitlets.Unicode(Path(__file__).with_name("map.js").read_text()).tag(sync=True)
+    code = traitlets.Unicode(Path(__file__).with_name("map.js").read_text("utf-8")).tag(sync=True)
     plotly = traitlets.Unicode(get_plotlyjs()).tag(sync=True)
     figure = traitlets.Unicode().tag(sync=True)
     place = traitlets.List(traitlets.Float(), [0.0, 0.0], minlen=2, maxlen=2).tag(sync=True)
