@@ -204,7 +204,8 @@ def crowd(model, bank) -> None:
             for frame in tqdm(frames, desc="crowd")
         ]
     pictures[0].save(
-        OUT / "crowd.webp", save_all=True, append_images=pictures[1:], duration=125, loop=0
+        OUT / "crowd.webp", save_all=True, append_images=pictures[1:], duration=125, loop=0,
+        quality=60
     )
 
 
