@@ -62,8 +62,8 @@ types: env  # first the runtime's kernels are compiled, once, for the tests that
 	$(BIN)/python -c "import toolkit as tk; tk.runtime.compile(tk.pretrained().model)"
 	$(BIN)/mypy
 
-cases: env
-	$(BIN)/python -m pytest --numprocesses 2 --dist loadfile --no-loadscope-reorder --nbval-lax --nbval-current-env --nbval-cell-timeout 120 tests notebooks
+cases: env  # three processes for two cores: each waits now and then for a kernel, a browser or a command
+	$(BIN)/python -m pytest --numprocesses 3 --dist loadfile --no-loadscope-reorder --nbval-lax --nbval-current-env --nbval-cell-timeout 120 tests notebooks
 
 coverage: env
 	mkdir -p out/coverage

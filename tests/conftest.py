@@ -1,11 +1,15 @@
 import os
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 import torch
+import unchanged as numbers
 from hypothesis import settings
 
 import toolkit as tk
+from toolkit.extra.formats import inspection, interpretation
+from toolkit.io.recording import Recording
 
 settings.register_profile("repeatable", derandomize=True, deadline=None, max_examples=25,
                           database=None)
@@ -96,3 +100,27 @@ def fast() -> tuple:
     """The embedded model compiled, which walks ten times as fast, and its styles."""
     model, bank = tk.pretrained()
     return tk.runtime.compile(model), bank
+
+
+@pytest.fixture
+def unchanged(request, monkeypatch) -> Iterator[None]:
+    """What readers find in a test, and what is guessed about it, are what they were."""
+    seen, made = [], Recording.__init__
+
+    def kept(self, *args, **options):
+        made(self, *args, **options)
+        seen.append(self)
+
+    def interpreted(*args, **options):
+        clip, found = interpret(*args, **options)
+        seen.append((clip.skeleton.offsets, clip.skeleton.roles, clip.root_positions,
+                     clip.rotations[:, 0], clip.fps, found))
+        return clip, found
+
+    interpret = interpretation.interpret
+    monkeypatch.setattr(Recording, "__init__", kept)
+    for module in (inspection, interpretation):
+        monkeypatch.setattr(module, "interpret", interpreted)
+    yield
+    if seen:
+        numbers.check(f"{request.path.stem}::{request.node.name}", seen)

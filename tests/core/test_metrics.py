@@ -8,12 +8,13 @@ from types import SimpleNamespace
 import damages
 import pytest
 import torch
+import unchanged
 from strategies import human
 
 import toolkit as tk
 from toolkit import metrics
 from toolkit.__main__ import main
-from toolkit.evaluation import MEASURES, table
+from toolkit.evaluation import MEASURES, defects, findings, table
 from toolkit.motion import rotations as R
 
 ALWAYS = [measure for name, measure in table.PAIR.items() if name != "stop"]
@@ -85,6 +86,22 @@ def test_pairs_computed_by_hand():
     slow, fast = stick(speed=0.11), stick(speed=0.09)  # about the least speed with a direction
     assert metrics.trajectory_error(slow, slow) == pytest.approx(0, abs=1e-6)
     assert math.isnan(metrics.trajectory_error(slow, fast))
+
+
+def test_each_measure_of_a_damaged_walk_is_what_it_was(walks):
+    clip, real = walks
+    clip = damages.through(damages.leg(damages.noise(clip, 0.5), 0.03), 0.9)
+    found = {name: measure(clip) for name, measure in table.CLIP.items()}
+    found |= {name: measure(clip, real) for name, measure in table.PAIR.items()}
+    found |= {f"{kind} {part}": (values, limit)
+              for kind, part, values, limit in findings.measured(damages.leg(real, 0.012))}
+    beside = clip.moved(turn=0.3, shift=(0.3, 0.0, 0.1))
+    phases = torch.stack([clip.root_positions[:, 0], real.root_positions[:, 2]], 1)
+    found |= {"defects": defects([clip, beside], apart=0.5), "feet": metrics.feet(clip),
+              "lag": metrics.phase_error(phases, phases.roll(3, 0)),
+              "path": metrics.path_error(clip, real.root_positions[::30, [0, 2]])}
+    for name, value in found.items():
+        unchanged.check(f"measures: {name}", value)
 
 
 def test_what_cannot_be_measured_is_refused(walks):

@@ -9,6 +9,8 @@ from test_interpretation import written
 import toolkit as tk
 from toolkit.__main__ import main
 
+pytestmark = pytest.mark.usefixtures("unchanged")
+
 
 def test_an_inspection_says_all_that_was_found(tmp_path, capsys):
     path = tmp_path / "walk.bvh"

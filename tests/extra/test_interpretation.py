@@ -15,6 +15,8 @@ from toolkit.extra.formats import interpretation
 from toolkit.io.recording import Recording
 from toolkit.motion import root_frames, rotations as R
 
+pytestmark = pytest.mark.usefixtures("unchanged")
+
 
 def facing(clip: tk.Clip) -> float:
     """Mean cosine between where the hips face and where they go."""

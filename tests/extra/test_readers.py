@@ -15,6 +15,8 @@ import toolkit as tk
 from toolkit.extra.formats import fbx as fbx_reader, gltf, gltf_file, humanml3d, npz
 from toolkit.motion import forward_kinematics
 
+pytestmark = pytest.mark.usefixtures("unchanged")
+
 
 def world(recording):
     """Positions ``[F, J, 3]`` in the file's unit."""
