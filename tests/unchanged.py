@@ -1,4 +1,4 @@
-"""Numbers that nobody derived, as they were: they show that something changed, not that it is right.
+"""Numbers that nobody derived, as they were: they show a change, not that something is right.
 
 ``TOOLKIT_UNCHANGED=store python -m pytest FILE`` writes those of a file's tests anew.
 """
