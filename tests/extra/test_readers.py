@@ -8,11 +8,21 @@ import tracemalloc
 import numpy as np
 import pytest
 import torch
+import unchanged
 from motion_files import Document, axis_angles, fbx, fbx_scene, packed, smpl_walk
 from scipy.spatial.transform import Rotation
 
 import toolkit as tk
-from toolkit.extra.formats import fbx as fbx_reader, gltf, gltf_file, humanml3d, npz
+from toolkit.extra.formats import (
+    fbx as fbx_reader,
+    gltf,
+    gltf_file,
+    humanml3d,
+    interpretation,
+    key_times,
+    npz,
+)
+from toolkit.io import bvh_text
 from toolkit.motion import forward_kinematics
 
 pytestmark = pytest.mark.usefixtures("unchanged")
@@ -530,6 +540,12 @@ def test_numpy_files_that_unpack_to_much_more(tmp_path):
             b"'shape': (1000000000000, 263), }")
     refused(npz.read, written(tmp_path / "b.npy", head.ljust(127) + b"\n" + b"\0" * 64),
             "not a whole NumPy file .*Unable to allocate")
+
+
+def test_tables_of_the_formats_are_what_they_were():
+    unchanged.check("tables of formats", [
+        fbx_reader.RATES, key_times.RATES, bvh_text.RATES, interpretation.UNITS, npz.rest_pose(24),
+        npz.ORIGIN, npz.ORIGIN_X])
 
 
 # shared files
