@@ -103,8 +103,9 @@ def fast() -> tuple:
 
 
 @pytest.fixture
-def unchanged(request, monkeypatch) -> Iterator[None]:
-    """What readers find in a test, and what is guessed about it, are what they were."""
+def unchanged(request, monkeypatch) -> Iterator[list]:
+    """What readers find in a test, what is guessed about it, and what is added, are what they were.
+    """
     seen, made = [], Recording.__init__
 
     def kept(self, *args, **options):
@@ -121,6 +122,6 @@ def unchanged(request, monkeypatch) -> Iterator[None]:
     monkeypatch.setattr(Recording, "__init__", kept)
     for module in (inspection, interpretation):
         monkeypatch.setattr(module, "interpret", interpreted)
-    yield
+    yield seen
     if seen:
         numbers.check(f"{request.path.stem}::{request.node.name}", seen)

@@ -20,13 +20,14 @@ STORED = Path(__file__).with_suffix(".json")
 
 
 def digest(thing: Any) -> list[float]:
-    """Six numbers of a thing and all that it holds: how many numbers, how many are not finite,
-    mean, deviation, a sum in which each place counts differently, and a checksum of its texts.
+    """Six numbers of a thing and all that it holds: how many numbers, how many are not finite; of
+    their inverse hyperbolic sines, so that huge ones hide no others, mean, deviation, and a sum in
+    which each place counts differently; a checksum of its texts.
     """
     texts: list[str] = []
     x = np.concatenate([np.zeros(1), *_numbers(thing, texts)])
     finite = np.isfinite(x)
-    x = np.where(finite, x, 0.0)
+    x = np.arcsinh(np.where(finite, x, 0.0))
     mixed = (x * np.cos(np.arange(len(x)))).sum() / (np.linalg.norm(x) + 0.01)
     return [len(x), int((~finite).sum()), float(x.mean()), float(x.std()), float(mixed),
             zlib.crc32("\n".join(texts).encode())]
