@@ -129,6 +129,21 @@ def test_roles_unit_and_up_that_do_not_fit_are_refused(tmp_path):
     assert tk.inspect(path, roles={"left_toe": "LeftFoot"}).rules["left_toe"] == "given"
 
 
+def test_odd_recordings_are_doubted_as_they_were(tmp_path):
+    clip, path = rigs.walk("LaFAN1", seconds=1.5), tmp_path / "walk.bvh"
+    places, time = clip.root_positions, torch.arange(len(clip)) / clip.fps
+    up, late = torch.tensor([0.0, 1.0, 0.0]), (time > 0.7)[:, None]
+    odd = [turned(clip, angle, 7.0, 0.3 * angle) for angle in range(-180, 180, 20)]
+    odd += [clip.replace(fps=clip.fps * factor) for factor in (0.1, 0.4, 3, 12)]
+    for size in (0.03, 0.1, 0.3, 1.0, 3.0, 10.0):
+        wave = size * torch.sin(5 * time)[:, None]
+        odd += [clip.replace(root_positions=moved) for moved in (
+            places * size, places + wave * up, places + wave * late * up, places + size * late)]
+    for one in odd:
+        tk.bvh.save(one, path)
+        tk.inspect(path)
+
+
 def test_sides_that_are_exchanged_are_noticed(tmp_path):
     """As by a program whose axes are left-handed."""
     clip = rigs.walk("LaFAN1", seconds=1.0)
