@@ -45,7 +45,7 @@ def _numbers(thing: Any, texts: list[str]) -> Iterator[np.ndarray]:
             yield from _numbers(part, texts)
 
 
-def check(test: str, thing: Any) -> None:
+def check(test: str, thing: Any, near: float = 1e-5) -> None:
     """Compare the `digest` of what a test found with the stored one."""
     stored = json.loads(STORED.read_bytes()) if STORED.exists() else {}
     found = digest(thing)
@@ -53,5 +53,6 @@ def check(test: str, thing: Any) -> None:
         stored[test] = [float(f"{x:.6g}") for x in found[:-1]] + found[-1:]
         rows = (f"{json.dumps(name)}: {json.dumps(stored[name])}" for name in sorted(stored))
         STORED.write_text("{\n" + ",\n".join(rows) + "\n}\n")
-    assert test in stored, "no numbers stored, see tests/unchanged.py"
-    assert found == pytest.approx(stored[test], rel=1e-4, abs=1e-5)
+    assert test in stored, f"{test}: no numbers are stored, see tests/unchanged.py"
+    assert found == pytest.approx(stored[test], rel=10 * near, abs=near), (
+        f"{test}: {found} is not {stored[test]}")

@@ -7,6 +7,7 @@ import math
 
 import pytest
 import torch
+import unchanged
 
 import toolkit as tk
 from toolkit import runtime
@@ -387,3 +388,18 @@ def test_a_start_goes_where_it_is_told():
     roots = torch.stack([state.root for state in runtime.states(model, asked, vectors)])
     assert float(roots[..., 1].min()) > -0.15
     assert float(roots[-1, :, 1].min()) > 0.4
+
+
+@pytest.mark.parametrize("lift", [1.0, 1.3])
+def test_a_walk_is_what_it_was(lift):
+    """It starts, runs into a turn, stops and turns on the spot."""
+    model, bank = tk.pretrained()
+    model.lift = lift
+    orders = [(40, 1.2, 0.0), (60, 2.5, 1.5), (50, 0.0, 1.5), (40, 0.08, 3.0)]
+    commands = [runtime.Command((speed * math.sin(angle), speed * math.cos(angle)),
+                                (math.sin(angle), math.cos(angle)))
+                for frames, speed, angle in orders for _ in range(frames)]
+    walked = list(runtime.states(model, commands, bank.select(["Zombie", "HighKnees"]).vectors))
+    for name in ("root", "future", "joints", "toes", "contacts", "phase", "drop", "rest", "aside"):
+        moving = torch.stack([getattr(state, name) for state in walked])
+        unchanged.check(f"walk, lift {lift}: {name}", moving, near=1e-4)
