@@ -141,13 +141,12 @@ def run(
         "out/stylewalk"),
     store: Store = False,
 ) -> None:
-    """Train the judges of StyleWalk, and score floors, recorded takes and models."""
+    """Score floors, takes and models by judges, which are trained once."""
     torch.set_num_threads(1)  # sums of two threads train other judges
     taken = parts(data)
-    judges = train(taken[:3])
-    if store:
-        judges.save(FILE)
-        judges = Judges.load()
+    if not FILE.is_file():  # those of a version stay
+        train(taken[:3]).save(FILE)
+    judges = Judges.load()
     scored = [score(clips, judges, name) for name, clips in floors(taken[3]).items()]
     seen = [clip for part in taken[:3] for clip in part]
     scored.append(score(nearest(seen), judges, "nearest take"))
