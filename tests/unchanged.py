@@ -54,5 +54,6 @@ def check(test: str, thing: Any, near: float = 1e-5) -> None:
         rows = (f"{json.dumps(name)}: {json.dumps(stored[name])}" for name in sorted(stored))
         STORED.write_text("{\n" + ",\n".join(rows) + "\n}\n")
     assert test in stored, f"{test}: no numbers are stored, see tests/unchanged.py"
-    assert found == pytest.approx(stored[test], rel=10 * near, abs=near), (
+    *before, texts = stored[test]
+    assert (found[:-1], found[-1]) == (pytest.approx(before, rel=10 * near, abs=near), texts), (
         f"{test}: {found} is not {stored[test]}")
