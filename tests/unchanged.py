@@ -52,7 +52,7 @@ def check(test: str, thing: Any, near: float = 1e-5) -> None:
     if os.environ.get("TOOLKIT_UNCHANGED") == "store":
         stored[test] = [float(f"{x:.6g}") for x in found[:-1]] + found[-1:]
         rows = (f"{json.dumps(name)}: {json.dumps(stored[name])}" for name in sorted(stored))
-        STORED.write_text("{\n" + ",\n".join(rows) + "\n}\n")
+        STORED.write_text("{\n" + ",\n".join(rows) + "\n}\n", encoding="utf-8")
     assert test in stored, f"{test}: no numbers are stored, see tests/unchanged.py"
     *before, texts = stored[test]
     assert (found[:-1], found[-1]) == (pytest.approx(before, rel=10 * near, abs=near), texts), (
