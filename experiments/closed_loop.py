@@ -146,7 +146,7 @@ def walked(net, style, track: str, pace: Tensor) -> list[dict[str, Tensor]]:
     seen, old = [], None
     for state in tqdm(runtime.states(net, commands, style), track, len(commands), disable=None):
         raw = state.toes if old is None else unlocked(net, old, state)
-        names = "root", "joints", "toes", "drop", "contacts"
+        names = "root", "joints", "toes", "drop", "swivel", "contacts"
         seen.append({name: getattr(state, name) for name in names} | {"raw": raw})
         old = state
     stacked = {name: torch.stack([parts[name] for parts in seen], 1) for name in seen[0]}

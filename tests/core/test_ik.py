@@ -154,6 +154,19 @@ def sunk_slowly(drop, speed, legs, seconds):
     return [need + float(free), float(slower)] if free > 0 else [need, (need - drop) / seconds]
 
 
+def test_a_foot_that_stands_keeps_its_direction():
+    """Also a steep one that rolls; at most so far off the prediction, and back to it in the air."""
+    steep = R.from_axis_angle(torch.tensor([1.0, 0.0, 0.0]), torch.tensor(1.2))
+    before = R.multiply(R.yaw(torch.tensor([2.9, -1.0])), steep)
+    after = R.multiply(R.yaw(torch.tensor([3.2, -2.0])), steep)  # beyond half a turn, and too far
+    swivel = torch.tensor([0.1, 0.1])
+    turned = ik.hold_feet(swivel, before, after, torch.tensor([1.0, 0.6]), 1 / 60)
+    assert turned == pytest.approx([-0.2, ik.SWIVEL], abs=1e-5)
+    turned = ik.hold_feet(swivel, before, after, torch.tensor([0.0, 0.25]), 1 / 60)
+    free = 0.1 * math.exp(-ik.RETURN / 60)
+    assert turned == pytest.approx([free, (free + ik.SWIVEL) / 2], abs=1e-5)
+
+
 def test_hips_sink_as_in_a_slow_loop():
     """Legs that reach and legs that lack more than the hips may sink, in contact or not."""
     draw = {"dtype": torch.float64, "generator": torch.Generator().manual_seed(0)}

@@ -400,6 +400,7 @@ def test_a_walk_is_what_it_was(lift):
                                 (math.sin(angle), math.cos(angle)))
                 for frames, speed, angle in orders for _ in range(frames)]
     walked = list(runtime.states(model, commands, bank.select(["Zombie", "HighKnees"]).vectors))
-    for name in ("root", "future", "joints", "toes", "contacts", "phase", "drop", "rest", "aside"):
+    for name in ("root", "future", "joints", "toes", "contacts", "phase", "drop", "swivel", "rest",
+                 "aside"):
         moving = torch.stack([getattr(state, name) for state in walked])
         unchanged.check(f"walk, lift {lift}: {name}", moving, near=1e-4)

@@ -121,7 +121,7 @@ def test_a_step_from_anywhere_is_pythons(node, small_run, calibrated):
     states = {name: value.double() for name, value in vars(first).items()}
     spreads = {
         "history": 0.02, "future": 0.1, "joints": 0.1, "phase": 0.5, "velocity": 1.0, "toes": 0.1,
-        "drift": 1.0, "drop": 0.05
+        "drift": 1.0, "drop": 0.05, "swivel": 0.3
     }
     for name, spread in spreads.items():
         states[name] = states[name] + spread * torch.randn(

@@ -1,10 +1,12 @@
 """Inverse kinematics of legs and arms, and the foot lock. Tensors of any leading shape.
 
 A frame of a character uses them in this order: `foot_lock` says where the toes should be,
-`solve_legs` bends the predicted legs towards them, and lets the hips `sink` where a leg is too
-short. For a drawn pose, `turn_arms` and `plant_feet` turn bones of a skeleton.
+`hold_feet` where the feet should point, `solve_legs` bends the predicted legs towards them, and
+lets the hips `sink` where a leg is too short. For a drawn pose, `swivelled`, `turn_arms` and
+`plant_feet` turn bones of a skeleton.
 """
 
+import math
 from itertools import pairwise
 
 import torch
@@ -27,6 +29,7 @@ FALL = 0.6  # m/s, at which they sink at most
 BOTH = 0.99  # contact of both feet from which the body stands on both
 UNEVEN = 0.02  # metres that a toe may be over or under the height of standing toes
 LEVEL = 0.2  # seconds: time constant with which a larger distance decays to it
+SWIVEL = 0.8  # radians by which a standing foot may be turned from its prediction
 SETTLE = 0.04  # m/s, at which toes of a body on both feet go to the height of standing toes
 
 
@@ -147,6 +150,36 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, wa
     return predicted + now, torch.where(share > 0, (now - offset) / seconds, slower)
 
 
+def hold_feet(swivel: Tensor, before: Tensor, predicted: Tensor, contacts: Tensor,
+              seconds: float) -> Tensor:
+    """Angles ``[..., 2]`` about the vertical that keep feet which stand as they were.
+
+    A network turns feet with the body, also a foot that bears it, whose heel then sweeps about its
+    locked toe. A foot in contact keeps its direction, at most `SWIVEL` off the prediction; in the
+    air, the angle decays with `RETURN`. The network gets back ankles that belong to it, but the
+    rotations that it predicted. This rule is ours as well.
+
+    Parameters
+    ----------
+    swivel : Tensor [..., 2], angles of the frame before, right and left, radians
+    before, predicted : Tensor [..., 2, 4], world rotations of the network's feet, before and now
+    contacts : Tensor [..., 2], a foot is held in full from one half
+    seconds : between the frames
+    """
+    change = R.multiply(predicted, R.inverse(before))
+    w, y = change[..., 0], change[..., 2]
+    held = (swivel - 2 * torch.atan2(y * w.sign(), w.abs())).clamp(-SWIVEL, SWIVEL)
+    return torch.lerp(math.exp(-RETURN * seconds) * swivel, held, (2 * contacts).clamp_max(1.0))
+
+
+def swivelled(skeleton: Skeleton, turned: Tensor, swivel: Tensor) -> Tensor:
+    """World rotations ``[..., J, 4]`` with feet and toes turned by angles ``[..., 2]``."""
+    turned, turn = turned.clone(), R.yaw(swivel)
+    for joints in _pairs(skeleton, "foot", "toe"):
+        turned[..., joints, :] = R.multiply(turn, turned[..., joints, :])
+    return turned
+
+
 def sink(drop: Tensor, hips: Tensor, ankles: Tensor, length: Tensor, contacts: Tensor,
          seconds: float) -> Tensor:
     """How far the hips go down so that the legs reach the ankles of toes in contact.
@@ -187,7 +220,8 @@ def sink(drop: Tensor, hips: Tensor, ankles: Tensor, length: Tensor, contacts: T
 
 
 def solve_legs(skeleton: Skeleton, turned: Tensor, root: Tensor, toes: Tensor, contacts: Tensor,
-               drop: Tensor, seconds: float) -> tuple[list[Tensor], Tensor, Tensor]:
+               drop: Tensor, swivel: Tensor,
+               seconds: float) -> tuple[list[Tensor], Tensor, Tensor]:
     """Bend predicted legs so that toes meet their targets, and let the hips sink (§ 4.4).
 
     The legs that are fed back to the network hang from the predicted hips, the drawn ones from hips
@@ -201,6 +235,7 @@ def solve_legs(skeleton: Skeleton, turned: Tensor, root: Tensor, toes: Tensor, c
     toes : Tensor [..., 2, 3], the targets in the world, right and left
     contacts, drop, seconds
         As in `sink`.
+    swivel : Tensor [..., 2], from `hold_feet`
 
     Returns
     -------
@@ -208,15 +243,16 @@ def solve_legs(skeleton: Skeleton, turned: Tensor, root: Tensor, toes: Tensor, c
     drop : Tensor [..., 2], of this frame
     toes : Tensor [..., 2, 3], the targets that the drawn legs reach
     """
-    # Predicted positions of the legs' joints, from the root down. Feet keep their orientation, so
-    # that a toe at its target has its ankle at ``target``.
+    # Predicted positions of the legs' joints, from the root down. Feet keep their orientation but
+    # for the swivel, so that a toe at its target has its ankle at ``target``.
     pairs, legs = _pairs(skeleton, "hip", "knee", "foot", "toe"), leg_chain(skeleton)
     above, places = [skeleton.parents[j] for j in legs], {0: root}
     bones = R.rotate(turned[..., above, :], skeleton.offsets[legs].to(root)).unbind(-2)
     for j, parent, bone in zip(legs, above, bones, strict=True):
         places[j] = places[parent] + bone
     a, b, c, toe = (torch.stack([places[j] for j in pair], -2) for pair in pairs)
-    target = toes - (toe - c)
+    sole = R.rotate(R.yaw(swivel), toe - c)
+    target = toes - sole
 
     # The drawn legs; in the air, they decide where the toes get.
     now = sink(drop, a, target, (b - a).norm(dim=-1) + (c - b).norm(dim=-1), contacts, seconds)
@@ -225,11 +261,11 @@ def solve_legs(skeleton: Skeleton, turned: Tensor, root: Tensor, toes: Tensor, c
     soft = SWING + held * (SOFT - SWING)
     _, reached = two_bone(a - down, b - down, c - down, target, soft=soft)
     target = torch.where(held < 1, reached, target)
-    toes = torch.where(held < 1, target + (toe - c), toes)
+    toes = torch.where(held < 1, target + sole, toes)
 
     # The legs that are fed back.
     knee, ankle = two_bone(a, b, c, target, left=_left(a))
-    return [knee, ankle, ankle + (toe - c)], now, toes
+    return [knee, ankle, ankle + sole], now, toes
 
 
 def turn_arms(skeleton: Skeleton, rotations: Tensor, root: Tensor, wanted: Tensor) -> Tensor:

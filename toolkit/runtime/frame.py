@@ -14,7 +14,7 @@ from torch import Tensor
 
 from toolkit.features import Layout, pack_joints, seen_from, split_joints
 from toolkit.motion import local_rotations, rotations as R, trajectory
-from toolkit.motion.ik import foot_lock, plant_feet, solve_legs, turn_arms
+from toolkit.motion.ik import foot_lock, hold_feet, plant_feet, solve_legs, swivelled, turn_arms
 from toolkit.motion.skeleton import FEET
 from toolkit.motion.tensors import as_tensor, shown
 from toolkit.networks.phase import advance, initial_pose
@@ -93,6 +93,7 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
         toes=look.new_zeros(len(look), 2, 3),
         drift=look.new_zeros(len(look), 2, 3),
         drop=torch.zeros_like(look),
+        swivel=torch.zeros_like(look),
     )
     toes = predicted_toes(layout, state)
     toes[..., 1] = getattr(model, "ground", GROUND)
@@ -139,7 +140,7 @@ def step(model, state: CharacterState, command: Command) -> CharacterState:
 def predicted(model, state: CharacterState, command: Command) -> CharacterState:
     """The next frame before foot IK.
 
-    Its ``toes``, ``drift`` and ``drop`` are those of ``state``.
+    Its ``toes``, ``drift``, ``drop`` and ``swivel`` are those of ``state``.
     """
     layout: Layout = model.layout
 
@@ -226,11 +227,13 @@ def planted(model, state: CharacterState, new: CharacterState) -> CharacterState
     """The frame ``new``, which follows ``state``, after foot lock and foot IK."""
     layout, ground = model.layout, getattr(model, "ground", GROUND)
     before, toes = (predicted_toes(layout, s) for s in (state, new))
+    feet = (_rotations(layout, s)[:, leg_joints(layout)[1::3]] for s in (state, new))
+    swivel = hold_feet(state.swivel, *feet, new.contacts, 1 / FPS)
     left = torch.stack((new.root[:, 3], -new.root[:, 2]), -1)
     toes, drift = foot_lock(
         state.toes, state.drift, before, toes, state.contacts, new.contacts, left, ground, 1 / FPS
     )
-    return _with_legs(layout, dataclasses.replace(new, toes=toes, drift=drift))
+    return _with_legs(layout, dataclasses.replace(new, toes=toes, drift=drift, swivel=swivel))
 
 
 @functools.singledispatch
@@ -244,7 +247,9 @@ def pose(
     """
     layout: Layout = getattr(model, "layout", model)
     skeleton, world = layout.skeleton, world_joints(layout, state)
-    rotation = R.from_forward_up(world["forward"], world["up"])[:, skeleton.feature_of]
+    rotation = _rotations(layout, state)[:, skeleton.feature_of]
+    if feet:
+        rotation = swivelled(skeleton, rotation, state.swivel)
     local = local_rotations(skeleton, rotation)
     root = world["position"][:, 0]
 
@@ -267,20 +272,26 @@ def world_joints(layout: Layout, state: CharacterState) -> dict[str, Tensor]:
     return split_joints(seen_from(state.joints, *state.root.split(2, -1)))
 
 
+def _rotations(layout: Layout, state: CharacterState) -> Tensor:
+    """World rotations ``[B, J, 4]`` of the pose."""
+    world = world_joints(layout, state)
+    return R.from_forward_up(world["forward"], world["up"])
+
+
 def _with_legs(layout: Layout, state: CharacterState) -> CharacterState:
     """A state with the pose after foot IK, from which the next frame is predicted.
 
     The ``drop`` of the argument is that of the frame before.
     """
-    skeleton, world = layout.skeleton, world_joints(layout, state)
-    turned = R.from_forward_up(world["forward"], world["up"])
+    skeleton = layout.skeleton
     legs, drop, toes = solve_legs(
         skeleton,
-        turned[:, skeleton.feature_of],
-        world["position"][:, 0],
+        _rotations(layout, state)[:, skeleton.feature_of],
+        world_joints(layout, state)["position"][:, 0],
         state.toes,
         state.contacts,
         state.drop,
+        state.swivel,
         1 / FPS,
     )
 

@@ -49,6 +49,8 @@ class CharacterState:
     drift: Tensor
     # [B, 2] how far foot IK lowers the drawn hips, and its velocity, see `toolkit.motion.ik.sink`
     drop: Tensor
+    # [B, 2] radians by which the drawn feet are turned, see `toolkit.motion.ik.hold_feet`
+    swivel: Tensor
 
     __repr__ = summary
 

@@ -123,7 +123,8 @@ class CompiledModel:
              arms: bool = True) -> tuple[Tensor, Tensor]:
         """`toolkit.runtime.pose`."""
         count = len(state.history)
-        given = [self._array(state, name) for name in ("history", "joints", "toes", "drop")]
+        parts = "history", "joints", "toes", "drop", "swivel"
+        given = [self._array(state, name) for name in parts]
         rotations = np.empty((count, len(self.layout.skeleton), 4), np.float32)
         roots = np.empty((count, 3), np.float32)
         ik.pose(*given, self._body, bool(feet), bool(arms), rotations, roots)

@@ -230,6 +230,26 @@ def _foot_lock(toes, drift, before, predicted, was, contacts, left, rules, new_t
 
 
 @njit
+def _foot(history, joints, rules, side):
+    """World rotation of a predicted foot."""
+    heading = _unit2(*_pair(history[-1, 2:]))
+    block = joints[12 * rules.legs[side, 1] :]
+    forward, up = ik.triple(block[FORWARD:]), ik.triple(block[UP:])
+    return ik.from_forward_up(ik.to_world(heading, forward), ik.to_world(heading, up))
+
+
+@njit
+def _hold_foot(swivel, before, predicted, contact, rules):
+    """`toolkit.motion.ik.hold_feet` of one foot."""
+    w, x, y, z = before
+    w, _, y, _ = ik.multiply(predicted, (w, -x, -y, -z))
+    held = swivel - 2.0 * math.atan2(y if w > 0.0 else -y, abs(w))
+    held = min(max(held, -rules.swivel), rules.swivel)
+    free = math.exp(-rules.let_go / rules.fps) * swivel
+    return _lerp(free, held, min(2.0 * np.float64(contact), 1.0))
+
+
+@njit
 def _joints(was, now, turn, shift, contacts, held, rules, joints):
     """The new pose ``[12 J]`` in the new root frame.
 
@@ -346,4 +366,9 @@ def after_network(old, z, rules, body, new):
         left, toes, contacts = (new_cos, -new_sin), new.toes[b], new.contacts[b]
         toes_were, drift, new_drift, was = old.toes[b], old.drift[b], new.drift[b], old.contacts[b]
         _foot_lock(toes_were, drift, before, predicted, was, contacts, left, rules, toes, new_drift)
-        ik.plant(body, rules, toes, history[-1], contacts, old.drop[b], new.drop[b], pose)
+        for side in range(2):
+            were = _foot(old.history[b], old.joints[b], rules, side)
+            are, angle = _foot(history, pose, rules, side), np.float64(old.swivel[b, side])
+            new.swivel[b, side] = _hold_foot(angle, were, are, contacts[side], rules)
+        drops = old.drop[b], new.drop[b]
+        ik.plant(body, rules, toes, history[-1], contacts, *drops, new.swivel[b], pose)

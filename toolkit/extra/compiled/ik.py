@@ -69,13 +69,20 @@ def _across(a):
 
 
 @njit
-def _multiply(a, b):
+def multiply(a, b):
+    """The rotation b, then a."""
     return (
         a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
         a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
         a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1],
         a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0],
     )
+
+
+@njit
+def yaw(angle):
+    """Rotation about the vertical."""
+    return math.cos(angle / 2), 0.0, math.sin(angle / 2), 0.0
 
 
 @njit
@@ -104,7 +111,8 @@ def _between(a, b):
 
 
 @njit
-def _from_forward_up(forward, up):
+def from_forward_up(forward, up):
+    """`toolkit.motion.rotations.from_forward_up`."""
     c = unit(forward)
     a = unit(_cross(up, c))
     b = _cross(c, a)
@@ -182,7 +190,7 @@ def _turn_arms(body, turned, places, joints, heading, floor):
         at = triple(places[joint])
         bone = _rotate(_read(turned, joint), triple(body.offsets[child]))
         aim = _between(bone, plus(goal, at, -1.0))
-        _write(turned, joint, _multiply(aim, _read(turned, joint)))
+        _write(turned, joint, multiply(aim, _read(turned, joint)))
         put(places[child], plus(at, _rotate(aim, bone)))
 
 
@@ -203,8 +211,8 @@ def _plant_feet(body, turned, places, toes):
         middle, end = _two_bone(a, b, c, target, left)
         upper = _between(plus(b, a, -1.0), plus(middle, a, -1.0))
         lower = _between(plus(c, b, -1.0), plus(end, middle, -1.0))
-        _write(turned, hip, _multiply(upper, _read(turned, hip)))
-        _write(turned, knee, _multiply(lower, _read(turned, knee)))
+        _write(turned, hip, multiply(upper, _read(turned, hip)))
+        _write(turned, knee, multiply(lower, _read(turned, knee)))
 
 
 @njit
@@ -220,7 +228,7 @@ def _sink(drop, need, rules):
 
 
 @njit
-def plant(body, rules, toes, root, contacts, old_drop, new_drop, joints):
+def plant(body, rules, toes, root, contacts, old_drop, new_drop, swivel, joints):
     """Set legs of a pose ``[12 J]``, and the drop, by foot IK: `toolkit.motion.ik.solve_legs`."""
     # places in the root frame, down to the toes
     places, need = np.empty((len(body.parents), 3)), 0.0
@@ -229,7 +237,7 @@ def plant(body, rules, toes, root, contacts, old_drop, new_drop, joints):
         j = body.chains[i]
         above = body.parents[j]
         block = joints[12 * body.features[above] :]
-        turn = _from_forward_up(triple(block[FORWARD:]), triple(block[UP:]))
+        turn = from_forward_up(triple(block[FORWARD:]), triple(block[UP:]))
         put(places[j], plus(triple(places[above]), _rotate(turn, triple(body.offsets[j]))))
     sin, cos = np.float64(root[2]), np.float64(root[3])
     length = max(math.hypot(sin, cos), 1e-12)
@@ -238,7 +246,7 @@ def plant(body, rules, toes, root, contacts, old_drop, new_drop, joints):
     for side in range(2):
         hip, knee, foot, toe = body.legs[side]
         a, b, c = triple(places[hip]), triple(places[knee]), triple(places[foot])
-        sole = plus(triple(places[toe]), c, -1.0)
+        sole = _rotate(yaw(np.float64(swivel[side])), plus(triple(places[toe]), c, -1.0))
         target = plus(to_world(into, plus(triple(toes[side]), floor, -1.0)), sole, -1.0)
         # how far the hips must sink so that the leg reaches: `toolkit.motion.ik.sink`
         bone, shin, (x, y, z) = plus(b, a, -1.0), plus(c, b, -1.0), plus(a, target, -1.0)
@@ -253,7 +261,7 @@ def plant(body, rules, toes, root, contacts, old_drop, new_drop, joints):
     for side in range(2):
         hip, knee, foot, toe = body.legs[side]
         a, b, c = triple(places[hip]), triple(places[knee]), triple(places[foot])
-        sole = plus(triple(places[toe]), c, -1.0)
+        sole = _rotate(yaw(np.float64(swivel[side])), plus(triple(places[toe]), c, -1.0))
         target = plus(to_world(into, plus(triple(toes[side]), floor, -1.0)), sole, -1.0)
         # the drawn leg is never quite straight in the air, and its toe is where it gets
         held = min(2 * np.float64(contacts[side]), 1.0)
@@ -268,11 +276,11 @@ def plant(body, rules, toes, root, contacts, old_drop, new_drop, joints):
 
 
 @compiled()
-def pose(histories, poses, toes, drops, body, feet, arms, rotations, roots):
+def pose(histories, poses, toes, drops, swivels, body, feet, arms, rotations, roots):
     """Fill local ``rotations [N, J', 4]`` and ``roots [N, 3]``.
 
-    ``histories [N, 61, 4]``, ``poses [N, 12 J]``, ``toes [N, 2, 3]`` and ``drops [N, 2]`` are of
-    `toolkit.runtime.CharacterState`.
+    ``histories [N, 61, 4]``, ``poses [N, 12 J]``, ``toes [N, 2, 3]``, ``drops [N, 2]`` and
+    ``swivels [N, 2]`` are of `toolkit.runtime.CharacterState`.
     """
     points = len(body.parents)
     turned, places = np.empty((points, 4)), np.empty((points, 3))
@@ -285,7 +293,12 @@ def pose(histories, poses, toes, drops, body, feet, arms, rotations, roots):
         for j in range(points):
             block = joints[12 * body.features[j] :]
             forward, up = triple(block[FORWARD:]), triple(block[UP:])
-            _write(turned, j, _from_forward_up(to_world(heading, forward), to_world(heading, up)))
+            _write(turned, j, from_forward_up(to_world(heading, forward), to_world(heading, up)))
+        if feet:
+            for side in range(2):
+                for j in body.legs[side][2:]:
+                    turn = yaw(np.float64(swivels[b, side]))
+                    _write(turned, j, multiply(turn, _read(turned, j)))
         put(places[0], plus(floor, to_world(heading, triple(joints))))
         if arms:
             _turn_arms(body, turned, places, joints, heading, floor)
@@ -302,4 +315,4 @@ def pose(histories, poses, toes, drops, body, feet, arms, rotations, roots):
         rotations[b, 0] = turned[0]
         for j in range(1, points):
             w, x, y, z = _read(turned, body.parents[j])
-            _write(rotations[b], j, _multiply((w, -x, -y, -z), _read(turned, j)))
+            _write(rotations[b], j, multiply((w, -x, -y, -z), _read(turned, j)))

@@ -51,7 +51,7 @@ export function advance(characters, commands, styles) {
   for (const character of characters) {
     const { state, spare, body, z } = character;
     afterNetwork(state, z, rules, spare);
-    plant(spare, state.drop, body, rules);
+    plant(spare, state, body, rules);
     [character.state, character.spare] = [spare, state];
   }
 }

@@ -2,7 +2,7 @@
 // and motion/ik.py.
 //
 // state: float64 arrays named as those of runtime.CharacterState: history [61 * 4], future [6 * 4], drive [1], joints [12 J], phase,
-//   velocity [2], facing [2], asked [2], aside [1], rest [1], contacts [2], toes [2 * 3], drift [2 * 3], drop [2]
+//   velocity [2], facing [2], asked [2], aside [1], rest [1], contacts [2], toes [2 * 3], drift [2 * 3], drop [2], swivel [2]
 // rules: runtime/rules.py's Rules, and where a joint's position, forward, up and velocity are in its `width` numbers
 
 export const copy = (state) => Object.fromEntries(Object.entries(state).map(([name, values]) => [name, Float64Array.from(values)]));

@@ -97,8 +97,26 @@ function sink([before, speed], lack, { fps, let_go, fall }) {
   return above > 0 ? [need + above, fade * (speed - let_go * push / fps)] : [need, (need - before) * fps];
 }
 
-// Puts knees, feet and toes of a pose where foot IK has them, and sets the drop (compiled/ik.py's plant); before: the last frame's.
-export function plant({ history, joints, toes, contacts, drop }, before, body, rules) {
+// world rotation of a predicted foot
+function footOf({ history, joints }, side, rules) {
+  const [s, c] = unit(history.slice(-2)), at = rules.width * rules.legs[side][1];
+  const world = ([x, y, z]) => [c * x + s * z, y, c * z - s * x];
+  return fromForwardUp(...["forward", "up"].map((channel) => world(three(joints, at + rules[channel]))));
+}
+
+// angle about the vertical that keeps a foot as it was (ik.py's hold_feet)
+function holdFoot(before, next, side, { let_go, fps, swivel }, [[w0, ...v], foot]) {
+  const [w, , y] = multiply(foot, [w0, ...v.map((x) => -x)]), old = before.swivel[side], free = Math.exp(-let_go / fps) * old;
+  const held = old - 2 * Math.atan2(w > 0 ? y : -y, Math.abs(w)), share = Math.min(2 * next.contacts[side], 1);
+  return free + share * (Math.min(Math.max(held, -swivel), swivel) - free);
+}
+
+const yaw = (angle) => [Math.cos(angle / 2), 0, Math.sin(angle / 2), 0];
+
+// Puts knees, feet and toes of a pose where foot IK has them, and sets drop and swivel (compiled/ik.py's plant); before: the last frame's.
+export function plant(next, before, body, rules) {
+  const { history, joints, toes, contacts, drop, swivel } = next;
+  for (const side of [0, 1]) swivel[side] = holdFoot(before, next, side, rules, [before, next].map((state) => footOf(state, side, rules)));
   const read = (joint, channel) => three(joints, rules.width * joint + rules[channel]);
   const [x, z, sin, cos] = history.subarray(history.length - 4), [s, c] = unit([sin, cos]), places = [read(0, "position")];
   for (const j of body.chains) {
@@ -108,7 +126,7 @@ export function plant({ history, joints, toes, contacts, drop }, before, body, r
   let need = 0;
   const legs = body.legs.map(([hip, knee, foot, toe], side) => {
     const [tx, ty, tz] = three(toes, 3 * side), [a, b, ankle] = [hip, knee, foot].map((joint) => places[joint]);
-    const sole = minus(places[toe], ankle);
+    const sole = rotate(yaw(swivel[side]), minus(places[toe], ankle));
     return { a, b, ankle, sole, target: minus([c * (tx - x) - s * (tz - z), ty, c * (tz - z) + s * (tx - x)], sole) };
   });
   legs.forEach(({ a, b, ankle, target }, side) => {
@@ -117,7 +135,7 @@ export function plant({ history, joints, toes, contacts, drop }, before, body, r
     const room = rules.room * full, gentle = lack > room ? lack : Math.max(lack + room, 0) ** 2 / (4 * room);
     need = Math.max(need, Math.min(gentle, rules.deepest * full) * Math.min(2 * contacts[side], 1));
   });
-  drop.set(sink(before, need, rules));
+  drop.set(sink(before.drop, need, rules));
   const left = minus(legs[1].a, legs[0].a);
   legs.forEach(({ a, b, ankle, sole, target }, side) => { // the drawn leg is never quite straight in the air, and its toe is where it gets
     const [, knee, foot, toe] = body.legs[side], held = Math.min(2 * contacts[side], 1), lower = (v) => [v[0], v[1] - drop[0], v[2]];
@@ -134,7 +152,7 @@ export function plant({ history, joints, toes, contacts, drop }, before, body, r
 }
 
 // Fills local rotations [J' * 4] and the root's position [3]; feet, arms: whether their IK acts; pin: see pins.js.
-export function pose({ history, joints, toes, drop }, body, rules, { feet, arms }, rotations, root, pin = null) {
+export function pose({ history, joints, toes, drop, swivel }, body, rules, { feet, arms }, rotations, root, pin = null) {
   const [x, z, sin, cos] = history.subarray(history.length - 4), [s, c] = unit([sin, cos]);
   const world = (joint, channel) => {
     const at = rules.width * joint + rules[channel];
@@ -142,6 +160,8 @@ export function pose({ history, joints, toes, drop }, body, rules, { feet, arms 
   };
   const ends = () => { for (const j of body.ends) turned[j] = turned[body.parents[j]]; };
   const turned = body.features.map((joint) => fromForwardUp(world(joint, "forward"), world(joint, "up")));
+  if (feet) // feet and toes
+    body.legs.forEach((leg, side) => leg.slice(2).forEach((j) => (turned[j] = multiply(yaw(swivel[side]), turned[j]))));
   const places = body.parents.map(() => plus([x, 0, z], world(0, "position")));
   if (arms) {
     turnArms(body, turned, places, (point) => plus([x, 0, z], world(body.own[point], "position")));

@@ -265,7 +265,7 @@ function shared({ shot, course: a, heading }, { shot: before, course: b, heading
 }
 
 // A character on its way through a shot, asked for at a time in ms. It goes on from where it differs from older takes.
-// `frames` has what draws each: {history, joints, toes, drop, contacts}; `kept` the whole state every EVERY frames.
+// `frames` has what draws each: {history, joints, toes, drop, swivel, contacts}; `kept` the whole state every EVERY frames.
 export class Take {
   constructor(shot, desk, character, since = 0, older = []) {
     Object.assign(this, { shot, ...plan(shot, desk), character, since, frames: [], places: [], kept: [] });
@@ -299,7 +299,7 @@ export class Take {
   // the frame that the character is in is the next one
   note() {
     const { state } = this.character, place = state.history.slice(-4);
-    this.frames.push({ history: place, joints: new Float32Array(state.joints), toes: state.toes.slice(), drop: state.drop.slice(), contacts: state.contacts.slice() });
+    this.frames.push({ history: place, joints: new Float32Array(state.joints), ...Object.fromEntries(["toes", "drop", "swivel", "contacts"].map((part) => [part, state[part].slice()])) });
     this.places.push([place[0], place[1]]);
     this.count = Math.max(this.count, this.frames.length);
   }
