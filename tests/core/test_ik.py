@@ -167,6 +167,26 @@ def test_a_foot_that_stands_keeps_its_direction():
     assert turned == pytest.approx([free, (free + ik.SWIVEL) / 2], abs=1e-5)
 
 
+@pytest.mark.parametrize(("where", "contacts", "moved"), [
+    ((0.02, 0.0), (1.0, 0.0), (0.0, 0.025)),  # 4.5 cm of a leg of 90
+    ((0.02, 0.13), (0.0, 1.0), (0.025, 0.0)),
+    ((0.02, 0.14), (1.0, 0.25), (0.0, 0.5 * (0.025 - 1.5 * 0.005))),  # the foot lands
+    ((-0.1, 0.02), (0.0, 1.0), (1 / 30, 0.0)),  # at most with 2 m/s
+    ((-0.1, 0.3), (0.0, 0.0), (0.0, 0.0)),  # legs cross in front of each other
+    ((0.2, 0.0), (0.0, 0.0), (0.0, 0.0)),
+])
+def test_an_ankle_in_the_air_passes_beside_the_other(where, contacts, moved):
+    """Sideways and ahead of the right ankle the left one is ``where``; hips look anywhere."""
+    angle, (aside, ahead) = torch.tensor(0.7), where
+    left, forward = (R.rotate(R.yaw(angle), torch.eye(3)[i]) for i in (0, 2))
+    right = torch.tensor([3.0, 0.1, -2.0])
+    ankles = torch.stack((right, right + aside * left + ahead * forward))
+    made = ik.uncross(ankles, 0.2 * left[None] + torch.tensor([0.0, 0.05, 0.0]),
+                      torch.full((2,), 0.9), torch.tensor(contacts), 1 / 60)
+    wanted = torch.tensor([[-moved[0]], [moved[1]]]) * left
+    assert made - ankles == pytest.approx(wanted, abs=1e-6)
+
+
 def test_hips_sink_as_in_a_slow_loop():
     """Legs that reach and legs that lack more than the hips may sink, in contact or not."""
     draw = {"dtype": torch.float64, "generator": torch.Generator().manual_seed(0)}

@@ -26,6 +26,10 @@ RETURN = 10.0  # per second: decay of a released toe's offset from its predictio
 ROOM = 0.035  # of a leg's length: over twice this, hips begin to sink gently
 DEEPEST = 0.115  # of a leg's length: hips sink at most so far
 FALL = 0.6  # m/s, at which they sink at most
+# Of a leg's length: least distance sideways of an ankle that passes the other, and how far before
+# it an ankle has passed; metres by which the former may fall for each that it is farther ahead.
+ASIDE, PASSED, CROSSING = 0.05, 0.15, 1.5
+PUSH = 2.0  # m/s, at which a foot is pushed out at most
 BOTH = 0.99  # contact of both feet from which the body stands on both
 UNEVEN = 0.02  # metres that a toe may be over or under the height of standing toes
 LEVEL = 0.2  # seconds: time constant with which a larger distance decays to it
@@ -252,10 +256,11 @@ def solve_legs(skeleton: Skeleton, turned: Tensor, root: Tensor, toes: Tensor, c
         places[j] = places[parent] + bone
     a, b, c, toe = (torch.stack([places[j] for j in pair], -2) for pair in pairs)
     sole = R.rotate(R.yaw(swivel), toe - c)
-    target = toes - sole
+    length = (b - a).norm(dim=-1) + (c - b).norm(dim=-1)
+    target = uncross(toes - sole, _left(a), length, contacts, seconds)
 
     # The drawn legs; in the air, they decide where the toes get.
-    now = sink(drop, a, target, (b - a).norm(dim=-1) + (c - b).norm(dim=-1), contacts, seconds)
+    now = sink(drop, a, target, length, contacts, seconds)
     down = torch.nn.functional.pad(now[..., None, :1], (1, 1))  # [..., 1, 3]: (0, drop, 0)
     held = (2 * contacts).clamp_max(1.0)[..., None]
     soft = SWING + held * (SOFT - SWING)
@@ -266,6 +271,30 @@ def solve_legs(skeleton: Skeleton, turned: Tensor, root: Tensor, toes: Tensor, c
     # The legs that are fed back.
     knee, ankle = two_bone(a, b, c, target, left=_left(a))
     return [knee, ankle, ankle + sole], now, toes
+
+
+def uncross(ankles: Tensor, left: Tensor, length: Tensor, contacts: Tensor,
+            seconds: float) -> Tensor:
+    """Wanted ankles ``[..., 2, 3]``, of which one in the air passes beside the other.
+
+    Where a body turns or goes aside, predicted feet pass through the one that stands. Ankles of
+    recorded walks, runs and turns are `ASIDE` of a leg's length or more apart sideways, until one
+    is `PASSED` before the other; further on, legs cross. A foot is pushed out by at most `PUSH`.
+
+    Parameters
+    ----------
+    ankles : Tensor [..., 2, 3], right and left, metres
+    left : Tensor [..., 1, 3], from the right hip to the left one
+    length, contacts : Tensor [..., 2], of the legs
+    seconds : between the frames
+    """
+    left = R.normalize(left * left.new_tensor([1.0, 0.0, 1.0]))
+    ahead = torch.stack((-left[..., 2], left[..., 1], left[..., 0]), -1)
+    outwards, way = torch.cat((-left, left), -2), ankles - ankles.flip(-2)
+    aside, along = (way * outwards).sum(-1), (way * ahead).sum(-1).abs()
+    need = ASIDE * length - CROSSING * (along - PASSED * length).clamp_min(0.0)
+    push = (need - aside).clamp(0.0, PUSH * seconds) * (1.0 - (2 * contacts).clamp_max(1.0))
+    return ankles + push[..., None] * outwards
 
 
 def turn_arms(skeleton: Skeleton, rotations: Tensor, root: Tensor, wanted: Tensor) -> Tensor:

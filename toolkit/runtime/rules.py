@@ -20,7 +20,7 @@ Rules = namedtuple("Rules", """
     proportional integral max_drive stand_still slow low sideways sideways_sum forget asked
     moves standing starting may_stand aligned stands
     slack near let_go pull soft swing room deepest fall both settle uneven level
-    swivel landing lifted""")
+    swivel aside passed crossing push landing lifted""")
 Rules.__doc__ = "Columns of x and z, joints of the legs, constants of the runtime and of foot IK."
 
 
@@ -80,6 +80,10 @@ def rules_of(model) -> Rules:
         uneven=ik.UNEVEN,
         level=1 / (ik.LEVEL * trajectory.FPS),
         swivel=ik.SWIVEL,
+        aside=ik.ASIDE,
+        passed=ik.PASSED,
+        crossing=ik.CROSSING,
+        push=ik.PUSH / trajectory.FPS,
         landing=1 / (frame.LANDING * trajectory.FPS),
         lifted=frame.LIFTED,
     )

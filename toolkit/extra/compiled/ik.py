@@ -228,6 +228,23 @@ def _sink(drop, need, rules):
 
 
 @njit
+def _uncross(ankles, left, lengths, contacts, rules):
+    """`toolkit.motion.ik.uncross`, in place."""
+    far = max(math.hypot(left[0], left[2]), 1e-12)
+    x, z = left[0] / far, left[2] / far
+    dx, dz = ankles[1, 0] - ankles[0, 0], ankles[1, 2] - ankles[0, 2]
+    aside, along = dx * x + dz * z, abs(dz * x - dx * z)
+    for side in range(2):
+        need = rules.aside * lengths[side]
+        need -= rules.crossing * max(along - rules.passed * lengths[side], 0.0)
+        free = 1.0 - min(2.0 * np.float64(contacts[side]), 1.0)
+        push = min(max(need - aside, 0.0), rules.push) * free
+        push = push if side else -push
+        ankles[side, 0] += push * x
+        ankles[side, 2] += push * z
+
+
+@njit
 def plant(body, rules, toes, root, contacts, old_drop, new_drop, swivel, joints):
     """Set legs of a pose ``[12 J]``, and the drop, by foot IK: `toolkit.motion.ik.solve_legs`."""
     # places in the root frame, down to the toes
@@ -243,26 +260,33 @@ def plant(body, rules, toes, root, contacts, old_drop, new_drop, swivel, joints)
     length = max(math.hypot(sin, cos), 1e-12)
     into = -sin / length, cos / length  # turns from the world into the root frame
     floor = np.float64(root[0]), 0.0, np.float64(root[1])
+    soles, targets, lengths = np.empty((2, 3)), np.empty((2, 3)), np.empty(2)
     for side in range(2):
         hip, knee, foot, toe = body.legs[side]
         a, b, c = triple(places[hip]), triple(places[knee]), triple(places[foot])
         sole = _rotate(yaw(np.float64(swivel[side])), plus(triple(places[toe]), c, -1.0))
-        target = plus(to_world(into, plus(triple(toes[side]), floor, -1.0)), sole, -1.0)
+        put(soles[side], sole)
+        goal = to_world(into, plus(triple(toes[side]), floor, -1.0))
+        put(targets[side], plus(goal, sole, -1.0))
+        bone, shin = plus(b, a, -1.0), plus(c, b, -1.0)
+        lengths[side] = math.sqrt(dot(bone, bone)) + math.sqrt(dot(shin, shin))
+    left = _left(body, places)
+    _uncross(targets, left, lengths, contacts, rules)
+    for side in range(2):
         # how far the hips must sink so that the leg reaches: `toolkit.motion.ik.sink`
-        bone, shin, (x, y, z) = plus(b, a, -1.0), plus(c, b, -1.0), plus(a, target, -1.0)
-        full = math.sqrt(dot(bone, bone)) + math.sqrt(dot(shin, shin))
+        hip, full = triple(places[body.legs[side][0]]), lengths[side]
+        x, y, z = plus(hip, triple(targets[side]), -1.0)
         lack = y - math.sqrt(max(((1 - rules.soft) * full) ** 2 - x * x - z * z, (full / 2) ** 2))
         room = rules.room * full
         lack = lack if lack > room else max(lack + room, 0.0) ** 2 / (4 * room)
         need = max(need, min(lack, rules.deepest * full) * min(2 * np.float64(contacts[side]), 1.0))
     drop, new_drop[1] = _sink(old_drop, need, rules)
     new_drop[0] = drop
-    down, left = (0.0, -drop, 0.0), _left(body, places)
+    down = 0.0, -drop, 0.0
     for side in range(2):
         hip, knee, foot, toe = body.legs[side]
         a, b, c = triple(places[hip]), triple(places[knee]), triple(places[foot])
-        sole = _rotate(yaw(np.float64(swivel[side])), plus(triple(places[toe]), c, -1.0))
-        target = plus(to_world(into, plus(triple(toes[side]), floor, -1.0)), sole, -1.0)
+        sole, target = triple(soles[side]), triple(targets[side])
         # the drawn leg is never quite straight in the air, and its toe is where it gets
         held = min(2 * np.float64(contacts[side]), 1.0)
         if held < 1.0:

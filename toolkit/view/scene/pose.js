@@ -113,6 +113,17 @@ function holdFoot(before, next, side, { let_go, fps, swivel }, [[w0, ...v], foot
 
 const yaw = (angle) => [Math.cos(angle / 2), 0, Math.sin(angle / 2), 0];
 
+// ik.py's uncross: an ankle in the air passes beside the other
+function uncross(legs, left, contacts, rules) {
+  const [x, , z] = unit([left[0], 0, left[2]]), [dx, , dz] = minus(legs[1].target, legs[0].target);
+  const aside = dx * x + dz * z, along = Math.abs(dz * x - dx * z);
+  legs.forEach((leg, side) => {
+    const need = rules.aside * leg.length - rules.crossing * Math.max(along - rules.passed * leg.length, 0);
+    const push = (side ? 1 : -1) * Math.min(Math.max(need - aside, 0), rules.push) * (1 - Math.min(2 * contacts[side], 1));
+    leg.target = plus(leg.target, [x, 0, z], push);
+  });
+}
+
 // Puts knees, feet and toes of a pose where foot IK has them, and sets drop and swivel (compiled/ik.py's plant); before: the last frame's.
 export function plant(next, before, body, rules) {
   const { history, joints, toes, contacts, drop, swivel } = next;
@@ -127,16 +138,18 @@ export function plant(next, before, body, rules) {
   const legs = body.legs.map(([hip, knee, foot, toe], side) => {
     const [tx, ty, tz] = three(toes, 3 * side), [a, b, ankle] = [hip, knee, foot].map((joint) => places[joint]);
     const sole = rotate(yaw(swivel[side]), minus(places[toe], ankle));
-    return { a, b, ankle, sole, target: minus([c * (tx - x) - s * (tz - z), ty, c * (tz - z) + s * (tx - x)], sole) };
+    const length = Math.hypot(...minus(b, a)) + Math.hypot(...minus(ankle, b));
+    return { a, b, ankle, sole, length, target: minus([c * (tx - x) - s * (tz - z), ty, c * (tz - z) + s * (tx - x)], sole) };
   });
-  legs.forEach(({ a, b, ankle, target }, side) => {
-    const full = Math.hypot(...minus(b, a)) + Math.hypot(...minus(ankle, b)), [dx, dy, dz] = minus(a, target);
+  const left = minus(legs[1].a, legs[0].a);
+  uncross(legs, left, contacts, rules);
+  legs.forEach(({ a, length: full, target }, side) => {
+    const [dx, dy, dz] = minus(a, target);
     const lack = dy - Math.sqrt(Math.max(((1 - rules.soft) * full) ** 2 - dx * dx - dz * dz, (full / 2) ** 2));
     const room = rules.room * full, gentle = lack > room ? lack : Math.max(lack + room, 0) ** 2 / (4 * room);
     need = Math.max(need, Math.min(gentle, rules.deepest * full) * Math.min(2 * contacts[side], 1));
   });
   drop.set(sink(before.drop, need, rules));
-  const left = minus(legs[1].a, legs[0].a);
   legs.forEach(({ a, b, ankle, sole, target }, side) => { // the drawn leg is never quite straight in the air, and its toe is where it gets
     const [, knee, foot, toe] = body.legs[side], held = Math.min(2 * contacts[side], 1), lower = (v) => [v[0], v[1] - drop[0], v[2]];
     let goal = target;
