@@ -60,7 +60,7 @@ def motion(m: Material) -> list:
         trajectory.heading(q), contacts.detect(clip), contacts.standing_height(clip),
         contacts.velocities(toes, 60.0), ik.two_bone(v, v + 0.1, v.flip(-1), v - 0.2, soft=0.02),
         ik.plant_feet(skeleton, q, v, toes), ik.turn_arms(skeleton, q, v, clip.global_positions),
-        ik.foot_lock(toes, toes, toes + 0.1, toes - 0.1, flags, flags, v[:, :2], 0.02, 1 / 60),
+        ik.foot_lock(toes, toes, toes + 0.1, toes, flags, flags, v[:, :2], 0.02, flags, 1 / 60),
         tk.features.joint_features(clip, frames), phases.local_positions(clip, phases.LIMBS[0]),
     ]
 

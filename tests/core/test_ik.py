@@ -93,7 +93,8 @@ def test_two_bone_against_bisection(distance):
     torch.testing.assert_close(knee, middle, atol=1e-3 if reached > 0.84 else 1e-7, rtol=0)
 
 
-def held_slowly(toe, drift, before, predicted, other, bears, was, contact, inwards, both, seconds):
+def held_slowly(toe, drift, before, predicted, raised, other, bears, was, contact, inwards, both,
+                seconds):
     """`ik.foot_lock` of one toe."""
     offset, behind = toe - before, toe - predicted
     behind = behind * min(1.0, 0.3 / float(behind.norm()))
@@ -109,8 +110,9 @@ def held_slowly(toe, drift, before, predicted, other, bears, was, contact, inwar
     now = now - max(0.0, float(now @ inwards) - limit) * inwards
     up = 0.02 - float((predicted + now)[1])  # to a ground at 2 cm
     most = 0.04 * seconds if both else 0.0
-    if (both or (contact > 0.5 and up > 0)) and abs(up) > 0.02:
-        most += (abs(up) - 0.02) * seconds / 0.2
+    allowed = 0.01 if up > 0 else 0.02 + max(raised, 0.0)
+    if (both or contact > 0.5) and abs(up) > allowed:
+        most += (abs(up) - allowed) * seconds / 0.2
     now[1] += min(max(up, -most), most)
     drift[slowed] = ((now - offset) / seconds)[slowed]
     return predicted + now, drift
@@ -130,10 +132,11 @@ def test_every_toe_of_a_crowd_is_held_as_in_a_slow_loop():
     left = R.normalize(torch.randn(crowd, 2, **shape))
     was = torch.rand(crowd, 2, **shape)
     feet = toes, drift, before, predicted
-    found, speeds = ik.foot_lock(*feet, was, contacts, left, 0.02, 0.02)
+    raised = 0.05 * torch.randn(crowd, 2, **shape)
+    found, speeds = ik.foot_lock(*feet, was, contacts, left, 0.02, raised, 0.02)
     for c in range(crowd):
         for foot, sign in enumerate((1, -1)):
-            own = (x[c, foot] for x in feet)
+            own = *(x[c, foot] for x in feet), float(raised[c, foot])
             inwards = sign * torch.stack((left[c, 0], 0 * left[c, 0], left[c, 1]))
             now = float(was[c, 1 - foot]), float(was[c, foot]), float(contacts[c, foot])
             toe, speed = held_slowly(*own, predicted[c, 1 - foot], *now, inwards, c % 3 == 0, 0.02)

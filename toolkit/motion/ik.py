@@ -31,7 +31,7 @@ FALL = 0.6  # m/s, at which they sink at most
 ASIDE, PASSED, CROSSING = 0.05, 0.15, 1.5
 PUSH = 2.0  # m/s, at which a foot is pushed out at most
 BOTH = 0.99  # contact of both feet from which the body stands on both
-UNEVEN = 0.02  # metres that a toe may be over or under the height of standing toes
+UNEVEN, SUNK = 0.02, 0.01  # metres that a toe may be over and under the height of standing toes
 LEVEL = 0.2  # seconds: time constant with which a larger distance decays to it
 SWIVEL = 0.8  # radians by which a standing foot may be turned from its prediction
 SETTLE = 0.04  # m/s, at which toes of a body on both feet go to the height of standing toes
@@ -94,7 +94,7 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
 
 
 def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, was: Tensor,
-              contacts: Tensor, left: Tensor, ground: float,
+              contacts: Tensor, left: Tensor, ground: float, raised: Tensor,
               seconds: float) -> tuple[Tensor, Tensor]:
     """Lock toes in contact where they landed (foot-contact IK, Mason et al. 2022, section 4.4).
 
@@ -107,9 +107,9 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, wa
     it slides until it is locked. The offset of a toe is at most `SLACK`, and its
     part towards the other toe at most a quarter of their distance or `NEAR`, so that the legs do
     not cross when a character turns on the spot. Toes land at the heights that the network
-    predicts, one up to 3 cm over the other. While both are in contact, their heights go to the
-    ground, and faster while they are more than `UNEVEN` off. A single locked toe comes up from
-    below. It does not go down: there are walks on the heels.
+    predicts, in turns up to 5 cm over the ground. While both are in contact, their heights go to
+    the ground. Any locked toe goes there while it is more than `UNEVEN` over it or `SUNK` below,
+    but there are walks on the heels: it may be as high as a heel on the ground has it.
 
     Parameters
     ----------
@@ -119,6 +119,7 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, wa
     was, contacts : Tensor [..., 2], in the frame before and in this one, in [0, 1]
     left : Tensor [..., 2], unit vector (x, z) to the character's left
     ground : height of a standing toe, metres
+    raised : Tensor [..., 2], how much higher over its ankle a toe is than in the rest pose, metres
     seconds : between the frames
 
     Returns
@@ -144,10 +145,11 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, wa
     crossing = (now * inwards).sum(-1, keepdim=True) - (apart / 4).clamp_min(NEAR)
     now = now - crossing.clamp_min(0.0) * inwards
 
-    # Toes that are too high or too low settle: of a body on both feet, and one far below.
+    # Toes that are too high or too low settle: of a body on both feet, and a locked one far off.
     both = (contacts.amin(-1, keepdim=True) > BOTH)[..., None]
     down = (ground - predicted - now)[..., 1:2]
-    far = (down.abs() - UNEVEN).clamp_min(0.0) * (both | held & (down > 0))
+    high = -down - UNEVEN - raised[..., None].clamp_min(0.0)
+    far = torch.maximum(high, down - SUNK).clamp_min(0.0) * (both | held)
     most = (SETTLE * both.to(far) + far / LEVEL) * seconds
     down = down.clamp(-most, most)
     now = now + torch.nn.functional.pad(down, (1, 1))

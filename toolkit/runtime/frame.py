@@ -227,11 +227,14 @@ def planted(model, state: CharacterState, new: CharacterState) -> CharacterState
     """The frame ``new``, which follows ``state``, after foot lock and foot IK."""
     layout, ground = model.layout, getattr(model, "ground", GROUND)
     before, toes = (predicted_toes(layout, s) for s in (state, new))
-    feet = (_rotations(layout, s)[:, leg_joints(layout)[1::3]] for s in (state, new))
+    feet = [_rotations(layout, s)[:, leg_joints(layout)[1::3]] for s in (state, new)]
     swivel = hold_feet(state.swivel, *feet, new.contacts, 1 / FPS)
+    soles = layout.skeleton.offsets[[layout.skeleton.role(f"{side}_toe") for side in FEET]].to(toes)
+    raised = (R.rotate(feet[1], soles) - soles)[..., 1]
     left = torch.stack((new.root[:, 3], -new.root[:, 2]), -1)
     toes, drift = foot_lock(
-        state.toes, state.drift, before, toes, state.contacts, new.contacts, left, ground, 1 / FPS
+        state.toes, state.drift, before, toes, state.contacts, new.contacts, left, ground, raised,
+        1 / FPS
     )
     return _with_legs(layout, dataclasses.replace(new, toes=toes, drift=drift, swivel=swivel))
 

@@ -185,7 +185,8 @@ def _toes(history, joints, rules, place):
 
 
 @njit
-def _foot_lock(toes, drift, before, predicted, was, contacts, left, rules, new_toes, new_drift):
+def _foot_lock(toes, drift, before, predicted, was, contacts, left, raised, rules, new_toes,
+               new_drift):
     """`toolkit.motion.ik.foot_lock` of one character."""
     seconds = 1 / rules.fps
     fade = math.exp(-rules.let_go * seconds)
@@ -213,10 +214,10 @@ def _foot_lock(toes, drift, before, predicted, was, contacts, left, rules, new_t
         apart = ik.dot(ik.plus(ik.triple(predicted[1 - side]), there, -1.0), inwards)
         over = max(ik.dot(now, inwards) - max(apart / 4, rules.near), 0.0)
         now = ik.plus(now, inwards, -over)
-        # toes of a body on both feet go to the ground, and a locked toe far below it
+        # toes of a body on both feet go to the ground, and a locked toe far off it
         down = rules.ground - there[1] - now[1]
-        settles = most > 0.0 or (held and down > 0.0)
-        far = max(abs(down) - rules.uneven, 0.0) * rules.level if settles else 0.0
+        far = max(-down - rules.uneven - max(raised[side], 0.0), down - rules.sunk, 0.0)
+        far = far * rules.level if most > 0.0 or held else 0.0
         down = min(max(down, -most - far), most + far)
         now = now[0], now[1] + down, now[2]
         slower = ik.times(ik.plus(speed, push, -rules.let_go * seconds), fade)
@@ -303,7 +304,7 @@ def after_network(old, z, rules, body, new):
     This is the end of `toolkit.runtime.frame.predicted`, and `toolkit.runtime.frame.planted`.
     """
     width, count = old.joints.shape[1], old.phase.shape[1]
-    before, predicted = np.empty((2, 3)), np.empty((2, 3))
+    before, predicted, raised = np.empty((2, 3)), np.empty((2, 3)), np.empty(2)
     for b in range(len(old.history)):
         history, future, out = new.history[b], new.future[b], z[b]
         # the trajectory: sample 0 is the new root, the others are blended with the old ones
@@ -365,10 +366,14 @@ def after_network(old, z, rules, body, new):
         _toes(history, pose, rules, predicted)
         left, toes, contacts = (new_cos, -new_sin), new.toes[b], new.contacts[b]
         toes_were, drift, new_drift, was = old.toes[b], old.drift[b], new.drift[b], old.contacts[b]
-        _foot_lock(toes_were, drift, before, predicted, was, contacts, left, rules, toes, new_drift)
         for side in range(2):
             were = _foot(old.history[b], old.joints[b], rules, side)
             are, angle = _foot(history, pose, rules, side), np.float64(old.swivel[b, side])
             new.swivel[b, side] = _hold_foot(angle, were, are, contacts[side], rules)
+            sole = ik.triple(body.offsets[body.legs[side][3]])
+            raised[side] = ik.rotate(are, sole)[1] - sole[1]
+        _foot_lock(
+            toes_were, drift, before, predicted, was, contacts, left, raised, rules, toes, new_drift
+        )
         drops = old.drop[b], new.drop[b]
         ik.plant(body, rules, toes, history[-1], contacts, *drops, new.swivel[b], pose)

@@ -86,7 +86,8 @@ def yaw(angle):
 
 
 @njit
-def _rotate(q, v):
+def rotate(q, v):
+    """A vector turned by a rotation."""
     u = q[1], q[2], q[3]
     t = _cross(u, v)
     t = 2 * t[0], 2 * t[1], 2 * t[2]
@@ -150,7 +151,7 @@ def _two_bone(a, b, c, target, left, soft=SOFT):
     over = wanted - (full - margin)
     distance = full - margin * math.exp(-over / margin) if over > 0 else wanted
     distance = max(distance, abs(upper - lower) + 1e-6 * full)
-    side = unit(_rotate(_between(plus(c, a, -1.0), line), upper_bone))
+    side = unit(rotate(_between(plus(c, a, -1.0), line), upper_bone))
     across = plus(side, line, -dot(side, line))
     # A knee that bends backwards is mirrored to the front; that of a straight leg goes there.
     front = _cross(line, unit(left))
@@ -177,7 +178,7 @@ def _kinematics(body, turned, places):
     """Positions ``[J', 3]`` of all points but the root, from world rotations ``[J', 4]``."""
     for j in range(1, len(body.parents)):
         parent = body.parents[j]
-        bone = _rotate(_read(turned, parent), triple(body.offsets[j]))
+        bone = rotate(_read(turned, parent), triple(body.offsets[j]))
         put(places[j], plus(triple(places[parent]), bone))
 
 
@@ -188,10 +189,10 @@ def _turn_arms(body, turned, places, joints, heading, floor):
         joint, child = body.arms[i]
         goal = plus(floor, to_world(heading, triple(joints[12 * body.own[child] :])))
         at = triple(places[joint])
-        bone = _rotate(_read(turned, joint), triple(body.offsets[child]))
+        bone = rotate(_read(turned, joint), triple(body.offsets[child]))
         aim = _between(bone, plus(goal, at, -1.0))
         _write(turned, joint, multiply(aim, _read(turned, joint)))
-        put(places[child], plus(at, _rotate(aim, bone)))
+        put(places[child], plus(at, rotate(aim, bone)))
 
 
 @njit
@@ -255,7 +256,7 @@ def plant(body, rules, toes, root, contacts, old_drop, new_drop, swivel, joints)
         above = body.parents[j]
         block = joints[12 * body.features[above] :]
         turn = from_forward_up(triple(block[FORWARD:]), triple(block[UP:]))
-        put(places[j], plus(triple(places[above]), _rotate(turn, triple(body.offsets[j]))))
+        put(places[j], plus(triple(places[above]), rotate(turn, triple(body.offsets[j]))))
     sin, cos = np.float64(root[2]), np.float64(root[3])
     length = max(math.hypot(sin, cos), 1e-12)
     into = -sin / length, cos / length  # turns from the world into the root frame
@@ -264,7 +265,7 @@ def plant(body, rules, toes, root, contacts, old_drop, new_drop, swivel, joints)
     for side in range(2):
         hip, knee, foot, toe = body.legs[side]
         a, b, c = triple(places[hip]), triple(places[knee]), triple(places[foot])
-        sole = _rotate(yaw(np.float64(swivel[side])), plus(triple(places[toe]), c, -1.0))
+        sole = rotate(yaw(np.float64(swivel[side])), plus(triple(places[toe]), c, -1.0))
         put(soles[side], sole)
         goal = to_world(into, plus(triple(toes[side]), floor, -1.0))
         put(targets[side], plus(goal, sole, -1.0))

@@ -117,7 +117,7 @@ export function steer(old, command, rules, x, next) {
 }
 
 // where the pose has the toes, world, right and left
-function toes({ history, joints }, rules) {
+export function toes({ history, joints }, rules) {
   const [x, z, sin, cos] = history.subarray(history.length - 4), [s, c] = unit([sin, cos]);
   return rules.legs.map(([, , joint]) => {
     const [px, py, pz] = three(joints, rules.width * joint);
@@ -126,7 +126,8 @@ function toes({ history, joints }, rules) {
 }
 
 // ik.py's foot_lock
-function footLock(old, before, predicted, left, rules, next) {
+export function footLock(old, next, raised, rules) {
+  const [before, predicted] = [old, next].map((state) => toes(state, rules)), [sin, cos] = next.history.slice(-2), left = [cos, -sin];
   const seconds = 1 / rules.fps, fade = Math.exp(-rules.let_go * seconds);
   const most = Math.min(...next.contacts) > rules.both ? rules.settle : 0;
   for (const side of [0, 1]) {
@@ -142,7 +143,7 @@ function footLock(old, before, predicted, left, rules, next) {
     const apart = (other[0] - there[0]) * inwards[0] + (other[2] - there[2]) * inwards[1];
     const over = Math.max(now[0] * inwards[0] + now[2] * inwards[1] - Math.max(apart / 4, rules.near), 0);
     const up = rules.ground - there[1] - now[1];
-    const far = most || (held && up > 0) ? Math.max(Math.abs(up) - rules.uneven, 0) : 0, limit = most + far * rules.level;
+    const far = most || held ? Math.max(-up - rules.uneven - Math.max(raised[side], 0), up - rules.sunk, 0) : 0, limit = most + far * rules.level;
     now = [now[0] - over * inwards[0], now[1] + clamp(up, -limit, limit), now[2] - over * inwards[1]];
     for (const i of [0, 1, 2])
       next.drift[3 * side + i] = shares[i] > 0 ? (now[i] - offset[i]) / seconds
@@ -213,5 +214,4 @@ export function afterNetwork(old, z, rules, next) {
     const share = Math.min((rules.pull * Math.hypot(...update)) / Math.max(Math.hypot(...total), 1e-6), 0.5);
     for (const k of [0, 1]) next.phase[i + k] = lerp(lerp(total[k], z[rules.phases + i + k], share), old.phase[i + k], still);
   }
-  footLock(old, toes(old, rules), toes(next, rules), [newCos, -newSin], rules, next);
 }

@@ -1,7 +1,7 @@
 // From a character's state to a pose that can be drawn, feet planted and arms turned (ik.py; compiled/ik.py, whose functions these are).
 //
 // body: compiled/ik.py's Body: parents [J'], offsets [J'][3], features [J'], own [J'], ends, legs [2][4], arms [A][2]
-import { three, unit } from "./frame.js";
+import { footLock, three, unit } from "./frame.js";
 
 export const plus = (a, b, share = 1) => [a[0] + share * b[0], a[1] + share * b[1], a[2] + share * b[2]];
 export const minus = (a, b) => plus(a, b, -1);
@@ -124,10 +124,14 @@ function uncross(legs, left, contacts, rules) {
   });
 }
 
-// Puts knees, feet and toes of a pose where foot IK has them, and sets drop and swivel (compiled/ik.py's plant); before: the last frame's.
+// Foot lock and foot IK (runtime/frame.py's planted): sets toes, drift, drop and swivel, and knees, feet and toes of the pose.
 export function plant(next, before, body, rules) {
   const { history, joints, toes, contacts, drop, swivel } = next;
-  for (const side of [0, 1]) swivel[side] = holdFoot(before, next, side, rules, [before, next].map((state) => footOf(state, side, rules)));
+  footLock(before, next, body.legs.map(([, , , toe], side) => {
+    const feet = [before, next].map((state) => footOf(state, side, rules)), sole = body.offsets[toe];
+    swivel[side] = holdFoot(before, next, side, rules, feet);
+    return rotate(feet[1], sole)[1] - sole[1];
+  }), rules);
   const read = (joint, channel) => three(joints, rules.width * joint + rules[channel]);
   const [x, z, sin, cos] = history.subarray(history.length - 4), [s, c] = unit([sin, cos]), places = [read(0, "position")];
   for (const j of body.chains) {
