@@ -170,8 +170,7 @@ def _body_axes(skeleton: Skeleton, places: Tensor, upright: bool) -> Tensor | No
         return None
     if upright:
         up = places.new_tensor([0.0, 1.0, 0.0])
-    left = R.normalize(left - (left @ up) * up)
-    body = R.from_matrix(torch.stack((left, up, torch.linalg.cross(left, up)), 1))
+    body = R.from_forward_up(torch.linalg.cross(left, up), up)
     return body if upright else _rounded(body, NEAR)
 
 
@@ -236,13 +235,14 @@ def _bone_axes(clip: Clip, side: str, part: str, joint: int, bone: Tensor) -> Te
     wanted = _t_pose_direction(clip.rotations, side, part)
     if part in PARTS["arm"]:
         hinge = _elbow_axis(clip, side, joint, bone)
-        if hinge is not None:
-            return _arm_axes(bone, hinge, wanted, side)
+        if hinge is not None:  # vertical in the T-pose
+            down = wanted.new_tensor([0.0, -1.0 if side == "left" else 1.0, 0.0])
+            return R.multiply(R.from_forward_up(bone, hinge),
+                              R.inverse(R.from_forward_up(wanted, down)))
 
     # The axes nearest to the body's, turned the shortest way
     near = _mean_axes(clip, joint)
-    there = R.normalize(R.rotate(near, wanted))
-    return R.multiply(R.between(there, R.normalize(bone)), near)
+    return R.multiply(R.between(R.rotate(near, wanted), bone), near)
 
 
 def _mean_axes(clip: Clip, joint: int) -> Tensor:
@@ -287,9 +287,8 @@ def _foot_axes(clip: Clip, joint: int, foot: int, bone: Tensor | None) -> Tensor
     up = height.new_tensor([0.0, 1.0, 0.0]).expand_as(ahead)
     own = R.inverse(turned[:, joint])
     up, ahead = (R.normalize(R.rotate(own, v).mean(0)) for v in (up, ahead))
-    left = R.normalize(torch.linalg.cross(up, ahead))
-    found = R.from_matrix(torch.stack((left, up, torch.linalg.cross(left, up)), 1))
-    return _rounded(found, NEAR_FOOT)
+    left = torch.linalg.cross(up, ahead)
+    return _rounded(R.from_forward_up(torch.linalg.cross(left, up), up), NEAR_FOOT)
 
 
 def _elbow_axis(clip: Clip, side: str, joint: int, bone: Tensor) -> Tensor | None:
@@ -303,11 +302,3 @@ def _elbow_axis(clip: Clip, side: str, joint: int, bone: Tensor) -> Tensor | Non
     hinge = hinge - along * (along @ hinge)
     return None if float(hinge.norm()) < STRAIGHT else R.normalize(hinge)
 
-
-def _arm_axes(bone: Tensor, hinge: Tensor, wanted: Tensor, side: str) -> Tensor:
-    """Axes of an arm whose bone is along ``wanted`` in the T-pose, and its hinge vertical."""
-    along = R.normalize(bone)
-    down = wanted.new_tensor([0.0, -1.0 if side == "left" else 1.0, 0.0])
-    own = torch.stack((along, hinge, torch.linalg.cross(along, hinge)), 1)
-    canonical = torch.stack((wanted, down, torch.linalg.cross(wanted, down)), 1)
-    return R.from_matrix(own @ canonical.T)

@@ -1,7 +1,6 @@
 """A clip as SMPL-H and SMPL-X poses in a NumPy file (.npz), like AMASS (Mahmood et al. 2019)."""
 
 import io
-import math
 from pathlib import Path
 
 import numpy as np
@@ -9,7 +8,7 @@ import torch
 from scipy.spatial.transform import Rotation
 
 from toolkit.extra.characters.retargeting import retarget
-from toolkit.extra.formats import npz
+from toolkit.extra.formats import interpretation, npz
 from toolkit.io.files import write_whole
 from toolkit.motion import Clip, Skeleton, rotations as R
 
@@ -17,8 +16,7 @@ WIDTH = 156  # of the poses: 22 joints of the body, 30 of the fingers, which sta
 SHAPES = 16  # numbers of the body's shape, zeros: the mean
 
 
-def write(clip: Clip, path: Path, *, title: str, source: Clip | None, progress: bool,
-          character) -> None:
+def write(clip: Clip, path: Path, *, character, **_) -> None:
     """Write ``poses [F, 156]``, ``trans [F, 3]``, ``betas``, ``gender`` and ``mocap_framerate``.
 
     The clip is put on a skeleton with legs as long as those of SMPL's mean body (`npz.MEAN`).
@@ -32,9 +30,8 @@ def write(clip: Clip, path: Path, *, title: str, source: Clip | None, progress: 
     made = retarget(clip if character is None else character.fitted(clip), body).to("cpu")
 
     # From y up to z up: only the root's rotation and place change
-    turns = R.normalize(made.rotations.double())
-    upright = R.from_axis_angle(torch.tensor([1.0, 0.0, 0.0]), torch.tensor(math.pi / 2)).to(turns)
-    turns = torch.cat((R.multiply(upright.expand_as(turns[:, :1]), turns[:, :1]), turns[:, 1:]), 1)
+    turns, upright = R.normalize(made.rotations.double()), R.inverse(interpretation.upright("z"))
+    turns[:, 0] = R.multiply(upright.expand_as(turns[:, 0]), turns[:, 0])
     place = R.rotate(upright, made.root_positions.double()) - torch.tensor(npz.ORIGIN)
 
     # Rotation vectors: the axis times the angle, at most half a turn

@@ -16,8 +16,7 @@ from toolkit.io.files import write_whole
 from toolkit.motion import Clip, rotations as R
 
 
-def write(clip: Clip, path: Path, *, title: str, source: Clip | None, progress: bool,
-          character: Character | None) -> None:
+def write(clip: Clip, path: Path, *, character: Character | None, **_) -> None:
     """A .glb file of the mannequin or of a character, for `toolkit.io.save`."""
     if character is None:
         gltf.save(clip, path)
@@ -45,30 +44,21 @@ def save(clip: Clip, path: str | os.PathLike, character: Character) -> None:
         raise ValueError(f"{character.path}: keeps its mesh in other files; "
                          "convert it to one .glb first")
     made = character.fitted(clip.to("cpu", torch.float32))
-    turns, places = made.global_rotations.double(), made.global_positions.double().numpy()
-
-    tracks, frame = [], character.mesh.above
-    for joint, parent in enumerate(made.skeleton.parents):
-        node = document["nodes"][character.mesh.nodes[joint]]
+    for number in character.mesh.nodes:
+        node = document["nodes"][number]
         if "matrix" in node:  # an animated node has translation, rotation and scale
             _decompose(node)
-        above = turns[:, parent]
-        if parent < 0:
-            axes = frame[:3, :3] / np.linalg.norm(frame[:3, :3], axis=0)
-            above = R.from_matrix(torch.from_numpy(axes))[None]
-        local = R.unroll(R.normalize(R.multiply(R.inverse(above), turns[:, joint])))
-        values = local[:, [1, 2, 3, 0]].numpy()
-        node["rotation"] = values[0].tolist()
-        if np.ptp(values, axis=0).max() > gltf.STILL:
-            tracks.append((character.mesh.nodes[joint], "rotation", values))
-    inverse, top = np.linalg.inv(frame), character.mesh.nodes[0]
-    root = places[:, 0] @ inverse[:3, :3].T + inverse[:3, 3]
-    document["nodes"][top]["translation"] = root[0].tolist()
-    tracks.append((top, "translation", root))
+
+    # The root's rotation and place below the node above it
+    above = character.mesh.above
+    axes = torch.from_numpy(above[:3, :3] / np.linalg.norm(above[:3, :3], axis=0))
+    turns, inverse = made.rotations.double(), np.linalg.inv(above)
+    turns[:, :1] = R.multiply(R.inverse(R.from_matrix(axes)).expand_as(turns[:, :1]), turns[:, :1])
+    places = made.root_positions.double().numpy() @ inverse[:3, :3].T + inverse[:3, 3]
 
     views, accessors = document.get("bufferViews", []), document.get("accessors", [])
     buffer = Buffer(bytes(file.binary), views, accessors)
-    document["animations"] = [gltf.animation(buffer, made, tracks)]
+    gltf.animate(document, buffer, made, character.mesh.nodes, turns, places)
     try:
         whole = container(document, buffer)
     except ValueError:

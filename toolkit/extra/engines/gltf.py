@@ -1,10 +1,11 @@
 """glTF 2.0: a clip as a skinned mannequin with its animation, in one binary file (.glb)."""
 
 import os
-from collections.abc import Iterable
+from collections.abc import Sequence
 
 import numpy as np
 import torch
+from torch import Tensor
 
 from toolkit.extra.formats.gltf_file import Buffer, container
 from toolkit.io.files import write_whole
@@ -27,12 +28,9 @@ def save(clip: Clip, path: str | os.PathLike) -> None:
 
     clip = clip.to("cpu", torch.float32)
     skeleton, figure, buffer = clip.skeleton, mannequin.build(clip), Buffer()
-    turns = R.normalize(R.unroll(clip.rotations).double())[..., [1, 2, 3, 0]].float().numpy()
-    places = clip.root_positions.numpy()
 
-    nodes = [{"name": name, "translation": skeleton.offsets[j].tolist(),
-              "rotation": turns[0, j].tolist()} for j, name in enumerate(skeleton.names)]
-    nodes[0]["translation"] = places[0].tolist()
+    nodes = [{"name": name, "translation": offset}
+             for name, offset in zip(skeleton.names, skeleton.offsets.tolist(), strict=True)]
     for j, parent in enumerate(skeleton.parents[1:], 1):
         nodes[parent].setdefault("children", []).append(j)
     nodes.append({"name": "Mannequin", "mesh": 0, "skin": 0})
@@ -51,12 +49,8 @@ def save(clip: Clip, path: str | os.PathLike) -> None:
         "skins": [skin],
         "materials": [{"name": "Mannequin", "pbrMetallicRoughness": surface}],
     }
-    if len(clip) > 1:
-        moving = np.flatnonzero(np.ptp(clip.rotations.numpy(), axis=0).max(1) > STILL).tolist()
-        tracks = [(j, "rotation", turns[:, j]) for j in moving]
-        if float(np.ptp(places, axis=0).max()) > STILL or not tracks:
-            tracks.insert(0, (0, "translation", places))
-        document["animations"] = [animation(buffer, clip, tracks)]
+    animate(document, buffer, clip, range(len(skeleton)), clip.rotations,
+            clip.root_positions.numpy())
     write_whole(path, container(document, buffer))
 
 
@@ -79,12 +73,26 @@ def title(clip: Clip) -> str:
     return " ".join(x for x in (clip.style, clip.gait) if x) or clip.name
 
 
-def animation(buffer: Buffer, clip: Clip, tracks: Iterable[tuple[int, str, np.ndarray]]) -> dict:
-    """An animation of nodes: their number, property and values ``[F, 3 or 4]`` in each frame."""
+def animate(document: dict, buffer: Buffer, clip: Clip, nodes: Sequence[int], rotations: Tensor,
+            places: np.ndarray) -> None:
+    """Give nodes the pose of a clip's first frame, and the document an animation of the clip.
+
+    ``rotations [F, J, 4]`` are those of the nodes, ``places [F, 3]`` translations of the first one.
+    What keeps its value has no channel. A clip of one frame is no animation.
+    """
+    turns = R.normalize(R.unroll(rotations).double())[..., [1, 2, 3, 0]].float().numpy()
+    tracks = [(nodes[0], "translation", places)]
+    tracks += [(node, "rotation", turns[:, j]) for j, node in enumerate(nodes)]
+    for node, what, values in tracks:
+        document["nodes"][node][what] = values[0].tolist()
+    document.pop("animations", None)
+    if len(clip) == 1:
+        return
     times = buffer.add((np.arange(len(clip)) / clip.fps).astype(np.float32), bounds=True)
     samplers, channels = [], []
-    for node, what, values in tracks:
+    moving = [track for track in tracks if np.ptp(track[2], axis=0).max() > STILL]
+    for node, what, values in moving or tracks[:1]:
         channels.append({"sampler": len(samplers), "target": {"node": node, "path": what}})
         samplers.append({"input": times, "output": buffer.add(values.astype(np.float32)),
                          "interpolation": "LINEAR"})
-    return {"name": title(clip), "samplers": samplers, "channels": channels}
+    document["animations"] = [{"name": title(clip), "samplers": samplers, "channels": channels}]

@@ -10,8 +10,7 @@ from toolkit.io.files import write_whole
 from toolkit.motion import Clip, rotations as R
 
 
-def write(clip: Clip, path: Path, *, title: str, source: Clip | None, progress: bool,
-          character) -> None:
+def write(clip: Clip, path: Path, *, character, **_) -> None:
     """Write a UsdSkel root with skeleton, animation and mesh; metres, y up, a time code a frame.
 
     A ``character`` lends the clip its rig; the mesh is the mannequin's.

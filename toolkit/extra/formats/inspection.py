@@ -72,7 +72,7 @@ def inspect(path: str | os.PathLike, unit: float | str = "auto", up: str = "auto
     clip, found = interpret(recording, path, unit, up, roles)
     skeleton = clip.skeleton
     contact = {}
-    if all(f"{side}_toe" in skeleton.roles for side in SIDES):
+    if skeleton.has("toe"):
         shares = contacts.detect(clip).mean(0).tolist()
         contact = dict(zip(contacts.FEET, shares, strict=True))
 

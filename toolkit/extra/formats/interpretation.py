@@ -35,9 +35,8 @@ SLOW, QUICK = 0.3, 1.0  # metres per second: of toes that stand, and that move
 WAY = 5.0, 2.0  # metres: on a longer way, some foot stands in some frame, and some moves
 NEVER, PARTLY, MOSTLY = 0.02, 0.5, 0.8  # shares of the frames in which a toe stands
 MANY = 10  # joints beside a body that may be another one
-AXES = ("x", "y", "z", "-x", "-y", "-z")
-_TURNS = {"x": (0, 0, 90), "y": (0, 0, 0), "z": (-90, 0, 0), "-x": (0, 0, -90),
-          "-y": (180, 0, 0), "-z": (90, 0, 0)}  # degrees about x, y and z that turn an axis to y
+AXES = {"x": (0, 0, 90), "y": (0, 0, 0), "z": (-90, 0, 0), "-x": (0, 0, -90),
+        "-y": (180, 0, 0), "-z": (90, 0, 0)}  # degrees about x, y and z that turn an axis to y
 
 
 @dataclass
@@ -328,7 +327,7 @@ def _unit(body: RecordedBody, found: Findings) -> float:
 
 def upright(up: str) -> Tensor:
     """Rotation ``[4]`` that turns an axis of `AXES` to y."""
-    return R.from_euler(torch.deg2rad(torch.tensor(_TURNS[up], dtype=torch.float64)), "XYZ")
+    return R.from_euler(torch.deg2rad(torch.tensor(AXES[up], dtype=torch.float64)), "XYZ")
 
 
 def named(unit: float) -> str:

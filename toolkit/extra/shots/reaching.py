@@ -217,9 +217,7 @@ def _lack(way: Tensor, a: Tensor, b: Tensor, c: Tensor) -> tuple[Tensor, Tensor]
 
 def _arc(a: Tensor, b: Tensor) -> Tensor:
     """Rotation vector ``[F, 3]`` of the shortest turn from a direction to another."""
-    axis = torch.linalg.cross(a, b)
-    size = axis.norm(dim=-1, keepdim=True)
-    return torch.atan2(size, (a * b).sum(-1, keepdim=True)) * axis / size.clamp_min(1e-9)
+    return R.angle(a, b)[..., None] * R.normalize(torch.linalg.cross(a, b))
 
 
 def _swung(a: Tensor, b: Tensor, aside: Tensor, w: Tensor) -> Tensor:
@@ -248,5 +246,4 @@ def _limited(v: Tensor, most: float) -> Tensor:
 
 def _turn(v: Tensor) -> Tensor:
     """The rotation of a rotation vector."""
-    size = v.norm(dim=-1, keepdim=True)
-    return R.from_axis_angle(v / size.clamp_min(1e-9), size[..., 0])
+    return R.from_axis_angle(R.normalize(v), v.norm(dim=-1))
