@@ -31,7 +31,7 @@ def write(clip: Clip, path: Path, *, character, **_) -> None:
 
     # From y up to z up: only the root's rotation and place change
     turns, upright = R.normalize(made.rotations.double()), R.inverse(interpretation.upright("z"))
-    turns[:, 0] = R.multiply(upright.expand_as(turns[:, 0]), turns[:, 0])
+    turns[:, 0] = R.multiply(upright, turns[:, 0])
     place = R.rotate(upright, made.root_positions.double()) - torch.tensor(npz.ORIGIN)
 
     # Rotation vectors: the axis times the angle, at most half a turn

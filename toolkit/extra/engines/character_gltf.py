@@ -53,7 +53,7 @@ def save(clip: Clip, path: str | os.PathLike, character: Character) -> None:
     above = character.mesh.above
     axes = torch.from_numpy(above[:3, :3] / np.linalg.norm(above[:3, :3], axis=0))
     turns, inverse = made.rotations.double(), np.linalg.inv(above)
-    turns[:, :1] = R.multiply(R.inverse(R.from_matrix(axes)).expand_as(turns[:, :1]), turns[:, :1])
+    turns[:, 0] = R.multiply(R.inverse(R.from_matrix(axes)), turns[:, 0])
     places = made.root_positions.double().numpy() @ inverse[:3, :3].T + inverse[:3, 3]
 
     views, accessors = document.get("bufferViews", []), document.get("accessors", [])

@@ -9,7 +9,7 @@ where it is, empty nodes. `record` finds the largest skeleton in three steps:
 """
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -144,12 +144,8 @@ class _Tree:
         self.tree, self.order = descending([node.parent for node in nodes])
 
         # Joints and skinned joints of each branch, with its top
-        self.joints = [int(node.joint) for node in nodes]
-        self.skinned = [int(node.skinned) for node in nodes]
-        for j in reversed(self.order):
-            if nodes[j].parent >= 0:
-                self.joints[nodes[j].parent] += self.joints[j]
-                self.skinned[nodes[j].parent] += self.skinned[j]
+        self.joints = self.counted(node.joint for node in nodes)
+        self.skinned = self.counted(node.skinned for node in nodes)
         self.skin = any(self.skinned)
 
         # Scale of a node in the world. Of the nodes above only the mean over the axes counts:
@@ -159,6 +155,14 @@ class _Tree:
             self.scale[j] = np.abs(_median(nodes[j].scale))
             if nodes[j].parent >= 0:
                 self.scale[j] *= np.prod(self.scale[nodes[j].parent]) ** (1 / 3)
+
+    def counted(self, chosen: Iterable[bool]) -> list[int]:
+        """For each node how many are chosen in the branch with it at the top."""
+        found = [int(of) for of in chosen]
+        for j in reversed(self.order):
+            if self.nodes[j].parent >= 0:
+                found[self.nodes[j].parent] += found[j]
+        return found
 
     def branches(self, nodes: Sequence[int]) -> list[int]:
         """Those of the nodes that have joints below, first that with most joints of the skin.
@@ -210,10 +214,8 @@ class _Tree:
         size = self.size(top)
 
         # Branches in which a joint moves against its parent
-        moving = [_spread(self.bone(j)) > STRETCH * size for j in range(len(self.nodes))]
-        for j in reversed(self.order):
-            if self.nodes[j].parent >= 0:
-                moving[self.nodes[j].parent] |= moving[j]
+        moving = self.counted(_spread(self.bone(j)) > STRETCH * size
+                              for j in range(len(self.nodes)))
 
         def aside(j: int) -> bool:
             """Whether a branch is no limb: a helper, or without a skin and small or moving."""
@@ -301,7 +303,7 @@ class _Tree:
         turned, place = R.identity(1).double(), np.zeros((1, 3))
         for i in reversed(self.tree.up(j)):
             place = place + R.rotate(turned, torch.from_numpy(self.bone(i))).numpy()
-            turned = R.multiply(*torch.broadcast_tensors(turned, self.nodes[i].rotation))
+            turned = R.multiply(turned, self.nodes[i].rotation)
         return turned, place
 
 

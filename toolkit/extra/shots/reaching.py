@@ -98,7 +98,7 @@ def pinned(skeleton: Skeleton, rotations: Tensor, root: Tensor,
 
     # the head turns to what is looked at
     head = skeleton.neck[-1]
-    ahead = R.rotate(turned[:, head], skeleton.facing_axis.to(root).expand(len(place), 3))
+    ahead = R.rotate(turned[:, head], skeleton.facing_axis.to(root))
     aim = torch.zeros_like(place)
     for pin, w in parts["look"][0]:
         way = _looked(ahead, root.new_tensor(pin.look) - p[:, head])
@@ -150,7 +150,7 @@ def _limb(skeleton: Skeleton, side: str, kind: str) -> list[int]:
 def _posed(skeleton: Skeleton, local: Tensor, root: Tensor,
            found: list[tuple[Pin, Tensor]]) -> tuple[Tensor, Tensor]:
     """Poses blended towards those of pins, where they are and as they face."""
-    facing = R.rotate(local[:, 0], skeleton.facing_axis.to(root).expand(len(root), 3))
+    facing = R.rotate(local[:, 0], skeleton.facing_axis.to(root))
     heading = R.yaw(torch.atan2(facing[:, 0], facing[:, 2]))
     mixed, height = local, root[:, 1]
     for pin, w in found:
