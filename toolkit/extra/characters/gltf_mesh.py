@@ -293,6 +293,6 @@ def _pixels(data: bytes) -> np.ndarray | None:
 def _transform(node: dict) -> np.ndarray:
     """Transform ``[4, 4]`` of a node relative to its parent."""
     made = np.eye(4)
-    made[:3, 3], turn, scale = (part[0] for part in pose(node))
+    made[:3, 3], turn, scale = pose(node)
     made[:3, :3] = R.to_matrix(turn).numpy() * scale
     return made

@@ -69,7 +69,7 @@ def save(clip: Clip, path: str | os.PathLike, character: Character) -> None:
 
 def _decompose(node: dict) -> None:
     """A node's matrix as translation, rotation and scale."""
-    move, turn, scale = (part[0] for part in pose(node))
+    move, turn, scale = pose(node)
     del node["matrix"]
     node |= {"translation": move.tolist(), "rotation": turn[[1, 2, 3, 0]].tolist(),
              "scale": scale.tolist()}

@@ -71,7 +71,8 @@ class _File(Document):
         nodes, doubts = [], []
         for node, parent in zip(self.listed("nodes"), self.parents, strict=True):
             plain = not {"mesh", "camera", "extensions"} & node.keys()
-            nodes.append(Node(printable(node.get("name", "")), parent, *pose(node), plain=plain))
+            tracks = (part[None] for part in pose(node))
+            nodes.append(Node(printable(node.get("name", "")), parent, *tracks, plain=plain))
         for skin in self.listed("skins"):
             for j in indices_of(skin, "joints", len(nodes)):
                 nodes[j].joint = nodes[j].skinned = True
@@ -149,18 +150,17 @@ class _File(Document):
 
 
 def pose(node: dict) -> tuple[np.ndarray, Tensor, np.ndarray]:
-    """Translation, rotation and scale of a node, one row each."""
+    """Translation, rotation and scale of a node."""
     if "matrix" in node:
         matrix = numbers_of(node, "matrix", 16).reshape(4, 4).T  # column by column in the file
         scale = np.linalg.norm(matrix[:3, :3], axis=0)
         if np.linalg.det(matrix[:3, :3]) < 0:
             scale[0] *= -1
         axes = torch.from_numpy(matrix[:3, :3] / np.where(scale == 0, 1.0, scale))
-        return matrix[None, :3, 3], R.from_matrix(axes)[None], scale[None]
-    turn = unit_quaternions(numbers_of(node, "rotation", 4, (0.0, 0.0, 0.0, 1.0))[None])
-    return (numbers_of(node, "translation", 3, (0.0,) * 3)[None],
-            torch.from_numpy(turn[:, [3, 0, 1, 2]]),
-            numbers_of(node, "scale", 3, (1.0,) * 3)[None])
+        return matrix[:3, 3], R.from_matrix(axes), scale
+    turn = unit_quaternions(numbers_of(node, "rotation", 4, (0.0, 0.0, 0.0, 1.0)))
+    return (numbers_of(node, "translation", 3, (0.0,) * 3), torch.from_numpy(turn[[3, 0, 1, 2]]),
+            numbers_of(node, "scale", 3, (1.0,) * 3))
 
 
 def _sample(channel: _Channel, at: np.ndarray, turn: bool) -> np.ndarray:

@@ -223,7 +223,7 @@ def numbers_of(of: dict, key: str, count: int, default: tuple[float, ...] = ()) 
 
 
 def unit_quaternions(turns: np.ndarray) -> np.ndarray:
-    """Quaternions ``[N, 4]``, scaled to length 1."""
+    """Quaternions ``[..., 4]``, scaled to length 1."""
     length = np.linalg.norm(turns, axis=-1, keepdims=True)
     if not (length > 1e-6).all():
         raise ValueError("a rotation is no quaternion: its length is 0")

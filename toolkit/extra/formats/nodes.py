@@ -219,7 +219,7 @@ class _Tree:
 
         def aside(j: int) -> bool:
             """Whether a branch is no limb: a helper, or without a skin and small or moving."""
-            apart = self.joints[j] <= FEW or (self.skin and moving[j])
+            apart = self.joints[j] <= FEW or (self.skin and moving[j] > 0)
             return self.helper(j) or (apart and not self.skinned[j])
 
         root, left_out = top, set()

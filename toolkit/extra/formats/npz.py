@@ -100,7 +100,7 @@ def read(path: str | os.PathLike) -> Recording:
             shape = arrays[name].shape if name in arrays else ()
             if len(shape) == 3 and shape[1] in COUNTS and shape[2] == 3:
                 doubts: list[str] = []
-                rate = _rate(arrays, humanml3d.FPS, "as in HumanML3D", doubts)
+                rate = _rate(arrays, humanml3d.FPS, ", as in HumanML3D", doubts)
                 joints = _tensor(arrays, name)[:, : COUNTS[shape[1]]]
                 return _fitted(joints, "joint positions", rate, doubts)
         held = ", ".join(f"{name} {list(array.shape)}" for name, array in arrays.items())
@@ -159,8 +159,12 @@ def _smpl(arrays: Mapping[str, np.ndarray], poses: Tensor) -> Recording:
     if fit:
         given = _tensor(arrays, fit[0])
         skeleton = Skeleton(SMPL[:count], PARENTS[:count], offsets)
-        world = forward_kinematics(skeleton, turns, given[:, 0])[0]
-        offsets, place = _offsets(PARENTS[:count], world, given[:, :count]), given[:, 0]
+        place, above = given[:, 0], list(PARENTS[1:count])
+        world = forward_kinematics(skeleton, turns, place)[0]
+        bones = R.rotate(R.inverse(world[:, above]), given[:, 1:count] - given[:, above])
+        offsets[1:] = bones.mean(0)
+        if (error := float((bones - offsets[1:]).norm(dim=-1).max())) > RIGID:
+            raise ValueError(f"its joints and its rotations disagree by up to {error:.3g} m")
     else:
         if not known:
             doubts.append("the file has no positions of the root; it was kept in its place")
@@ -202,16 +206,6 @@ def _fitted(joints: Tensor, format_: str, fps: float, doubts: list[str], unit: f
                      joints[:, 0], fps, unit=unit, up=up, roles=dict(ROLES), doubts=tuple(doubts))
 
 
-def _offsets(parents: Sequence[int], world: Tensor, joints: Tensor) -> Tensor:
-    """Mean offsets ``[J, 3]`` of joints in their parents' frames; a ValueError if they change."""
-    above = list(parents[1:])
-    bones = R.rotate(R.inverse(world[:, above]), joints[:, 1:] - joints[:, above])
-    mean = bones.mean(0)
-    if (error := float((bones - mean).norm(dim=-1).max())) > RIGID:
-        raise ValueError(f"its joints and its rotations disagree by up to {error:.3g} m")
-    return torch.cat((mean.new_zeros(1, 3), mean))
-
-
 def _rate(arrays: Mapping[str, np.ndarray], usual: float, whose: str, doubts: list[str]) -> float:
     """Frames per second; the usual ones, with a doubt, if the file does not say."""
     for name in RATES:
@@ -220,8 +214,7 @@ def _rate(arrays: Mapping[str, np.ndarray], usual: float, whose: str, doubts: li
             if not 0 < rate < LARGEST:
                 raise ValueError(f"{name} should be frames per second, got {rate:g}")
             return rate
-    doubts.append(", ".join(filter(None, (
-        f"the file has no frame rate; {usual:g} Hz was assumed", whose))))
+    doubts.append(f"the file has no frame rate; {usual:g} Hz was assumed{whose}")
     return usual
 
 

@@ -302,8 +302,6 @@ class Scene:
         """The pose of every character, each with its own IK."""
         wanted = [(shot.feet, shot.arms) for shot in self.shots]
         made = {kind: pose(model, state, feet=kind[0], arms=kind[1]) for kind in set(wanted)}
-        if len(made) == 1:
-            return made[wanted[0]]
         return tuple(torch.stack([made[kind][part][k] for k, kind in enumerate(wanted)])
                      for part in (0, 1))
 
