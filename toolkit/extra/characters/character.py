@@ -29,16 +29,15 @@ class Character:
 
     path: Path
     mesh: SkinnedMesh
-    rest: Clip  # one frame of the rig, in the pose in which the points are
-    points: np.ndarray  # [V, 3] of that pose, float32
+    rest: Clip  # one frame of the rig
     moved: np.ndarray  # [J, 4, 4] of the joints, from the pose in which the mesh was bound
 
     @classmethod
     def load(cls, path: str | os.PathLike) -> "Character":
         """Read a character from a .glb, .gltf, .vrm or .fbx file.
 
-        The points stand in the pose of the file's nodes, or in the bind pose if that one shows no
-        standing figure. Roles are found from the joints' names.
+        It stands in the pose of the file's nodes, or in the bind pose if that one shows no standing
+        figure. Roles are found from the joints' names.
 
         Raises
         ------
@@ -54,12 +53,7 @@ class Character:
             except ValueError as error:
                 errors.append(error)
                 continue
-            moved = pose @ np.linalg.inv(mesh.bind)
-            homogeneous = np.concatenate((mesh.points, np.ones((len(mesh.points), 1))), 1)
-            points = np.zeros_like(mesh.points)
-            for joint, weight in zip(mesh.joints.T, mesh.weights.T, strict=True):
-                points += weight[:, None] * np.einsum("vij,vj->vi", moved[joint, :3], homogeneous)
-            return cls(path, mesh, rest, points.astype(np.float32), moved)
+            return cls(path, mesh, rest, pose @ np.linalg.inv(mesh.bind))
         raise errors[0]
 
     @property
@@ -110,6 +104,11 @@ class Character:
         inverse = (np.linalg.inv(pose) @ self.moved)[:, :3]
         return Skin(mesh.points.astype(np.float32), self.normals, mesh.triangles, mesh.joints,
                     mesh.weights, inverse)
+
+    @cached_property
+    def points(self) -> np.ndarray:
+        """Vertices ``[V, 3]`` in the pose of ``rest``."""
+        return self.skin.pose(self.rest.global_rotations[0], self.rest.global_positions[0])[0]
 
     @cached_property
     def normals(self) -> np.ndarray:

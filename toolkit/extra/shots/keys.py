@@ -50,11 +50,10 @@ def direction(value, what: str) -> tuple[float, float]:
     return x, z
 
 
-def choice(value, what: str, known: Iterable[str]) -> str:
-    """One of the known words."""
-    if not isinstance(value, str) or value not in known:
-        raise ValueError(f"{what} must be one of {', '.join(known)}; got {shown(value)}")
-    return value
+def check_easing(easing) -> None:
+    """A ValueError unless it is one of `EASINGS`."""
+    if not isinstance(easing, str) or easing not in EASINGS:
+        raise ValueError(f"easing must be one of {', '.join(EASINGS)}; got {shown(easing)}")
 
 
 @dataclass(frozen=True)
@@ -85,7 +84,7 @@ class StyleKey:
 
     def __post_init__(self):
         within(self, time=(0, LONGEST))
-        choice(self.easing, "easing", EASINGS)
+        check_easing(self.easing)
         given = {self.blend: 1.0} if isinstance(self.blend, str) else self.blend
         layers = [given] if isinstance(given, Mapping) else given
         if not isinstance(layers, Sequence) or not layers or not all(
@@ -116,7 +115,7 @@ class SpeedKey:
 
     def __post_init__(self):
         within(self, time=(0, LONGEST), speed=(0, FAST))
-        choice(self.easing, "easing", EASINGS)
+        check_easing(self.easing)
 
 
 @dataclass(frozen=True)
