@@ -15,7 +15,7 @@ import toolkit
 from toolkit.evaluation import findings
 from toolkit.evaluation.metrics import sets
 from toolkit.evaluation.metrics.bodies import hips_path
-from toolkit.evaluation.table import CLIP, Report, Statistic, average, interval, of_styles
+from toolkit.evaluation.table import CLIP, UNITS, Report, Statistic, average, interval, of_styles
 from toolkit.extra.benchmark import tracks
 from toolkit.extra.benchmark.judges import KINDS, Judges
 from toolkit.io.files import write_whole
@@ -25,8 +25,6 @@ from toolkit.motion.trajectory import FPS
 
 QUALITY = "skate", "jerk", "shake", "through", "motion", "slow-motion"
 SETTLED = 1.0  # seconds after which a character has done what it is told
-UNITS = {"direction": "deg", "stop": "m/s", "skate": "m/s", "jerk": "m/s3", "shake": "m",
-         "through": "m", "motion": "m", "slow-motion": "m"}
 
 
 @dataclass(frozen=True)
@@ -40,7 +38,8 @@ class Scores:
     def __str__(self) -> str:
         lines = [f"StyleWalk {tracks.PLAN['version']}, {self.name}: {self.about['clips']} clips"]
         for row, (value, low, high) in self.rows.items():
-            lines.append(f"  {row:<18}{value:10.4g}  [{low:.4g}, {high:.4g}] {UNITS.get(row, '')}")
+            unit = "deg" if row == "direction" else UNITS.get(row, "")
+            lines.append(f"  {row:<18}{value:10.4g}  [{low:.4g}, {high:.4g}] {unit}")
         return "\n".join(lines)
 
     def save(self, path: str | os.PathLike) -> None:

@@ -51,8 +51,6 @@ class Anatomy:
     axes: dict[int, Tensor]  # joint -> rotation [4] from the canonical axes to the joint's own
     rest: Tensor  # [J, 4] local rotations of joints that nothing moves
     bones: dict[int, Tensor]  # joint of a limb -> vector [3] to the next one, in its frame, metres
-    spine: list[int]  # from the hips up to the chest
-    neck: list[int]  # from the chest up to the head
     __repr__ = summary
 
     @property
@@ -137,8 +135,8 @@ def _from_pose(skeleton: Skeleton, local: Tensor, *, upright: bool) -> Anatomy |
     if body is None or not _limbs_are_straight(skeleton, places):
         return None
     own = R.inverse(turned)
-    spine, neck = skeleton.trunk[::-1], skeleton.neck
-    axes, bones = {joint: R.multiply(own[joint], body) for joint in (*spine, *neck)}, {}
+    middle = (*skeleton.trunk, *skeleton.neck)
+    axes, bones = {joint: R.multiply(own[joint], body) for joint in middle}, {}
     for side, kind in product(SIDES, PARTS):
         for part, joint, beyond in _outwards(limb(skeleton, side, kind)):
             if beyond is not None:  # the last joint turns with the bone before it
@@ -150,7 +148,7 @@ def _from_pose(skeleton: Skeleton, local: Tensor, *, upright: bool) -> Anatomy |
             axes[joint] = R.multiply(own[joint], R.multiply(body, R.inverse(swing)))
     rest = local.clone()
     rest[0] = R.multiply(R.inverse(body), local[0])
-    return Anatomy(skeleton, axes, rest, bones, spine, neck)
+    return Anatomy(skeleton, axes, rest, bones)
 
 
 def _body_axes(skeleton: Skeleton, places: Tensor, upright: bool) -> Tensor | None:
@@ -208,9 +206,9 @@ def _swing(bone: Tensor, side: str, part: str) -> Tensor | None:
 def _from_motion(clip: Clip) -> Anatomy:
     """The anatomy from a motion."""
     skeleton, turned, places = clip.skeleton, clip.global_rotations, clip.global_positions
-    spine, neck = skeleton.trunk[::-1], skeleton.neck
+    spine = skeleton.trunk[::-1]
     axes, bones = {spine[0]: _mean_axes(clip, spine[0])}, {}
-    for parent, joint in (*pairwise(spine), *pairwise(neck)):
+    for parent, joint in (*pairwise(spine), *pairwise(skeleton.neck)):
         axes[joint] = _inherited(clip, joint, axes[parent])
     for side, kind in product(SIDES, PARTS):
         joints = limb(skeleton, side, kind)
@@ -226,8 +224,7 @@ def _from_motion(clip: Clip) -> Anatomy:
                 axes[joint] = _foot_axes(clip, joint, joints["foot"], bones.get(joints["foot"]))
             else:
                 axes[joint] = _bone_axes(clip, side, part, joint, bones[joint])
-    mean = R.normalize(R.unroll(clip.rotations).mean(0))
-    return Anatomy(skeleton, axes, mean, bones, spine, neck)
+    return Anatomy(skeleton, axes, R.normalize(R.unroll(clip.rotations).mean(0)), bones)
 
 
 def _bone_axes(clip: Clip, side: str, part: str, joint: int, bone: Tensor) -> Tensor:

@@ -10,7 +10,7 @@ clothes and props.
 from collections import Counter, defaultdict
 from dataclasses import dataclass, replace
 from functools import partial
-from itertools import pairwise
+from itertools import pairwise, product
 
 import numpy as np
 import torch
@@ -153,13 +153,12 @@ def leaders(source: Anatomy, goal: Anatomy) -> dict[int, tuple[int, int, float]]
     Arms and legs follow the joint with the same role, spine and neck the place at the same share of
     their length. The share is how far that place is from the first joint to the second.
     """
-    found = {}
-    for side in SIDES:
-        for kind in ("arm", "leg"):
-            joints, there = (limb(rig.skeleton, side, kind) for rig in (source, goal))
-            found |= {there[part]: (joints[part], joints[part], 0.0) for part in joints
-                      if part in there}
-    for from_, to in ((source.spine, goal.spine), (source.neck, goal.neck)):
+    found, own, other = {}, source.skeleton, goal.skeleton
+    for side, kind in product(SIDES, CHAINS):
+        joints, there = (limb(skeleton, side, kind) for skeleton in (own, other))
+        found |= {there[part]: (joints[part], joints[part], 0.0) for part in joints
+                  if part in there}
+    for from_, to in ((own.trunk[::-1], other.trunk[::-1]), (own.neck, other.neck)):
         for i, joint in enumerate(to):
             place = i / max(len(to) - 1, 1) * (len(from_) - 1)
             below = min(int(place), max(len(from_) - 2, 0))
