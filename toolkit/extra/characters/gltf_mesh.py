@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from toolkit.extra.characters.fbx_figure import glb
+from toolkit.extra.characters.fbx_figure import SLOTS, glb
 from toolkit.extra.formats.gltf import pose
 from toolkit.extra.formats.gltf_file import (
     PACKED,
@@ -25,7 +25,6 @@ from toolkit.motion import rotations as R
 from toolkit.motion.text import printable
 
 COMPRESSED = ("KHR_draco_mesh_compression", *PACKED)
-SLOTS = 4  # joints that a vertex may follow
 SHARED = 500_000  # vertices beyond those that the bytes hold: primitives may share them
 PICTURES = "PNG", "JPEG", "WEBP"  # formats of a texture
 DECODED = 100_000_000  # bytes of a texture beyond ten times its own

@@ -243,7 +243,7 @@ def body_joints(skeleton: Skeleton) -> list[int]:
         raise ValueError(f"cannot find its {', '.join(lacking)} among {', '.join(skeleton.names)}")
     tips = {skeleton.role(role) for role in ROLES if role in skeleton.roles}
     tips.add(skeleton.neck[-1])
-    paths = [[tip, *skeleton.ancestors(tip)] for tip in tips]
+    paths = [skeleton.tree.up(tip) for tip in tips]
     # Joints above all of them are left out, but for the lowest one
     shared = set(paths[0]).intersection(*paths)
     kept = {j for path in paths for j in path} - (shared - {max(shared)})

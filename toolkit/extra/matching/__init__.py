@@ -5,7 +5,6 @@ character's. From there on the data are played. The jump of the pose fades (iner
 runtime, steering and foot IK are those of the networks, so only the prediction differs.
 """
 
-import dataclasses
 from dataclasses import dataclass
 
 import torch
@@ -117,8 +116,8 @@ def _(model: Matching, state: CharacterState, command: Command) -> Playing:
     """The next frame of the data that are played."""
     player = _Player(model, state)
     new = one_frame.planted(model, state, one_frame.predicted(player, state, command))
-    own = {field.name: getattr(new, field.name) for field in dataclasses.fields(CharacterState)}
-    return Playing(**own, row=player.row, due=player.due, offset=player.offset, speed=player.speed)
+    return Playing(**vars(new) | {"row": player.row, "due": player.due, "offset": player.offset,
+                                  "speed": player.speed})
 
 
 class _Player:

@@ -93,10 +93,9 @@ def radius(course: Course, at: float) -> float:
 def beside(course: Course, places: list[Pair]) -> list[float]:
     """Distance from the curve of each place, metres; ``places[0]`` is that of frame 1."""
     apart = []
-    for frame, (x, z) in enumerate(places, 1):
-        px, pz = course.curve.point(nearest(course.curve, (x, z),
-                                            course.distance[min(frame, len(course.distance) - 1)]))
-        apart.append(math.hypot(px - x, pz - z))
+    for frame, place in enumerate(places, 1):
+        planned = course.distance[min(frame, len(course.distance) - 1)]
+        apart.append(math.dist(course.curve.point(nearest(course.curve, place, planned)), place))
     return apart
 
 
@@ -107,7 +106,7 @@ def arrival(goal: Pair, time: float, places: list[Pair]) -> tuple[float, float]:
     Only places within two seconds of the time count. The first number is 0 if the character is
     `NEAR` within `SECONDS`, and infinite if it never is.
     """
-    apart = [math.hypot(x - goal[0], z - goal[1]) for x, z in places]
+    apart = [math.dist(place, goal) for place in places]
     first, last = (max(round((time + s) * FPS) - 1, 0) for s in (-SECONDS, SECONDS))
     nearby = min(apart[first : last + 1], default=math.inf)
     if nearby <= NEAR:

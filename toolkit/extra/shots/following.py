@@ -58,7 +58,7 @@ class Curve:
     """
 
     def __init__(self, points: Sequence[Pair], smooth: bool):
-        chords = [math.hypot(bx - ax, bz - az) for (ax, az), (bx, bz) in pairwise(points)]
+        chords = [math.dist(a, b) for a, b in pairwise(points)]
         slopes = [[(b[i] - a[i]) / d for i in (0, 1)]
                   for (a, b), d in zip(pairwise(points), chords, strict=True)]
         tangents = [slopes[0]]

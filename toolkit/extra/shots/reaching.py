@@ -86,8 +86,8 @@ def pinned(skeleton: Skeleton, rotations: Tensor, root: Tensor,
     shares = {j: (k + 1) / len(spine) for k, j in enumerate(spine)}
     legs = {skeleton.role(f"{side}_hip") for side in FEET}
     for j in range(1, len(skeleton)):
-        above = [j, *skeleton.ancestors(j)]
-        if legs & set(above):
+        above = skeleton.tree.up(j)
+        if legs.intersection(above):
             turned[:, j] = steps[:, j]
         else:
             shares[j] = next(shares[i] for i in above if i in shares)
@@ -123,7 +123,7 @@ def pinned(skeleton: Skeleton, rotations: Tensor, root: Tensor,
         keep = goals[limb][1] > 0
         aims = R.between(b - a, upper), R.between(c - b, lower)
         for j in skeleton.tree.below(joints[0]):
-            aim = aims[int(joints[1] in (j, *skeleton.ancestors(j)))]
+            aim = aims[int(joints[1] in skeleton.tree.up(j))]
             turned[:, j] = torch.where(keep, R.multiply(aim, turned[:, j]), turned[:, j])
 
     # feet stay where they stepped, or go to their pins

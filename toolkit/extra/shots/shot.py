@@ -89,11 +89,11 @@ class Shot:
             put(name, entries(getattr(self, name), kind, name))
         if len(self.path) < 2:
             raise ValueError(f"path: two or more points are needed, got {len(self.path)}")
-        for k, (a, b) in enumerate(pairwise(self.path)):
-            if math.hypot(b.x - a.x, b.z - a.z) < 0.01:
-                raise ValueError(f"path[{k + 1}]: is less than 1 cm from the point before it")
-        length = sum(math.dist((a.x, a.z), (b.x, b.z)) for a, b in pairwise(self.path))
-        if length > (most := LONGEST * FAST):
+        steps = [math.dist((a.x, a.z), (b.x, b.z)) for a, b in pairwise(self.path)]
+        for k, step in enumerate(steps, 1):
+            if step < 0.01:
+                raise ValueError(f"path[{k}]: is less than 1 cm from the point before it")
+        if (length := sum(steps)) > (most := LONGEST * FAST):
             raise ValueError(f"path: is {length:.0f} m long, a path has at most {most:.0f} m")
         rising(tuple(p for p in self.path[1:] if p.time is not None), "path, points with a time")
         if self.path[0].time not in (None, 0.0):
