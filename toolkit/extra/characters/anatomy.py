@@ -289,7 +289,7 @@ def _foot_axes(clip: Clip, joint: int, foot: int, bone: Tensor | None) -> Tensor
 
 
 def _elbow_axis(clip: Clip, side: str, joint: int, bone: Tensor) -> Tensor | None:
-    """Unit axis ``[3]`` about which an elbow bends, in a joint's frame; None of a straight arm."""
+    """The axis ``[3]`` about which an elbow bends, in a joint's frame; None of a straight arm."""
     parts = PARTS["arm"][1:]
     shoulder, elbow, hand = (clip.global_positions[:, clip.skeleton.role(f"{side}_{part}")]
                              for part in parts)
@@ -297,5 +297,5 @@ def _elbow_axis(clip: Clip, side: str, joint: int, bone: Tensor) -> Tensor | Non
     hinge = R.rotate(R.inverse(clip.global_rotations[:, joint]), bent).mean(0)
     along = R.normalize(bone)
     hinge = hinge - along * (along @ hinge)
-    return None if float(hinge.norm()) < STRAIGHT else R.normalize(hinge)
+    return None if float(hinge.norm()) < STRAIGHT else hinge
 

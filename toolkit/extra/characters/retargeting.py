@@ -117,9 +117,8 @@ def report(clip: Clip, made: Clip) -> Report:
     for c in (clip, made):
         starts, ends = ([c.skeleton.role(f"{side}_{bone[end]}") for side in SIDES for bone in BONES]
                         for end in (0, 1))
-        directions.append(R.normalize(c.global_positions[:, ends] - c.global_positions[:, starts]))
-    first, second = directions
-    angles = torch.rad2deg(2 * torch.asin(((first - second).norm(dim=-1) / 2).clamp(max=1.0)))
+        directions.append(c.global_positions[:, ends] - c.global_positions[:, starts])
+    angles = torch.rad2deg(R.angle(*directions))
 
     scale, standing = measure(made).leg / measure(clip).leg, detect(clip) > 0.5
     height = toes_of(made)[..., 1] - standing_height(made)

@@ -70,7 +70,7 @@ def _primitive(buffer: Buffer, figure) -> dict:
 
 def title(clip: Clip) -> str:
     """Style and gait of a clip, or its name."""
-    return " ".join(x for x in (clip.style, clip.gait) if x) or clip.name
+    return f"{clip.style} {clip.gait}".strip() or clip.name
 
 
 def animate(document: dict, buffer: Buffer, clip: Clip, nodes: Sequence[int], rotations: Tensor,

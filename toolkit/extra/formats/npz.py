@@ -28,11 +28,11 @@ ROLES = {"hips": "pelvis"} | {
 # 4.1); the rest is ours. None are SMPL's.
 # SMPL's mean body (betas 0) has shorter legs, of 0.77 m from hip to ankle.
 HEIGHT, MEAN = 1.70, 1.57
-_LEFT = {"hip": (0.05, -0.05, 0.0), "knee": (0.0, -0.245, 0.0), "ankle": (0.0, -0.246, 0.0),
+_REST = {"hip": (0.05, -0.05, 0.0), "knee": (0.0, -0.245, 0.0), "ankle": (0.0, -0.246, 0.0),
          "foot": (0.0, -0.03, 0.08), "collar": (0.035, 0.06, 0.0), "shoulder": (0.07, 0.0, 0.0),
-         "elbow": (0.186, 0.0, 0.0), "wrist": (0.146, 0.0, 0.0), "hand": (0.05, 0.0, 0.0)}
-_MIDDLE = {"pelvis": (0.0, 0.0, 0.0), "spine1": (0.0, 0.06, 0.0), "spine2": (0.0, 0.08, 0.0),
-           "spine3": (0.0, 0.04, 0.0), "neck": (0.0, 0.12, 0.0), "head": (0.0, 0.05, 0.02)}
+         "elbow": (0.186, 0.0, 0.0), "wrist": (0.146, 0.0, 0.0), "hand": (0.05, 0.0, 0.0),
+         "pelvis": (0.0, 0.0, 0.0), "spine1": (0.0, 0.06, 0.0), "spine2": (0.0, 0.08, 0.0),
+         "spine3": (0.0, 0.04, 0.0), "neck": (0.0, 0.12, 0.0), "head": (0.0, 0.05, 0.02)}
 # Metres from the origin of the template to its pelvis, roughly: of SMPL and SMPL-H, of SMPL-X
 ORIGIN, ORIGIN_X = (0.0, -0.23, 0.02), (0.0, -0.35, 0.01)
 
@@ -182,8 +182,8 @@ def rest_pose(count: int, height: float = HEIGHT) -> Tensor:
     """Offsets ``[count, 3]`` of an average person of that height, metres."""
     rows = []
     for name in SMPL[:count]:
-        side, _, part = name.partition("_")
-        x, y, z = _LEFT[part] if part else _MIDDLE[name]
+        side, _, part = name.rpartition("_")
+        x, y, z = _REST[part]
         rows.append((-x if side == "right" else x, y, z))
     return height * torch.tensor(rows, dtype=torch.float64)
 

@@ -16,7 +16,6 @@ def places(characters: int) -> tuple[Tensor, Tensor, Tensor]:
     radii = radii[:rings]
     ends = (characters * radii.cumsum(0) / radii.sum()).round().long()
     ring = torch.bucketize(torch.arange(characters), ends, right=True)
-    first = torch.cat((torch.zeros(1, dtype=torch.long), ends))
-    on_ring = (first[1:] - first[:-1])[ring]
-    angle = math.tau * (torch.arange(characters) - first[ring]) / on_ring + ring
+    first = torch.nn.functional.pad(ends, (1, 0))
+    angle = math.tau * (torch.arange(characters) - first[ring]) / first.diff()[ring] + ring
     return radii[ring], angle, 1.0 - 2.0 * (ring % 2)
