@@ -281,7 +281,7 @@ def _foot_axes(clip: Clip, joint: int, foot: int, bone: Tensor | None) -> Tensor
         along = R.normalize(R.rotate(turned[:, foot], bone))
         if float(along[:, ::2].norm(dim=-1).mean()) >= STEEP:
             ahead = along
-    up = height.new_tensor([0.0, 1.0, 0.0]).expand_as(ahead)
+    up = height.new_tensor([0.0, 1.0, 0.0])
     own = R.inverse(turned[:, joint])
     up, ahead = (R.normalize(R.rotate(own, v).mean(0)) for v in (up, ahead))
     left = torch.linalg.cross(up, ahead)

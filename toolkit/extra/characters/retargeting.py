@@ -134,8 +134,7 @@ def report(clip: Clip, made: Clip) -> Report:
 def _same(own: Skeleton, other: Skeleton) -> bool:
     if (own.names, own.parents) != (other.names, other.parents):
         return False
-    apart = (own.offsets - other.offsets)[1:].norm(dim=-1)
-    return len(own) == 1 or float(apart.amax()) < SAME
+    return bool(((own.offsets - other.offsets)[1:].norm(dim=-1) < SAME).all())
 
 
 def _comparable(*skeletons: Skeleton) -> list[Skeleton]:

@@ -1,6 +1,5 @@
 """A character's own file with a motion on it, in place of its animations, as glTF."""
 
-import copy
 import os
 from pathlib import Path
 
@@ -39,7 +38,7 @@ def save(clip: Clip, path: str | os.PathLike, character: Character) -> None:
     file = opened(character.path)
     if file.digest != character.mesh.digest:
         raise ValueError(f"{character.path}: was changed since it was read; run the command again")
-    document = copy.deepcopy(file.document)
+    document = file.document
     if file.binary is None or len(document.get("buffers", ())) != 1:
         raise ValueError(f"{character.path}: keeps its mesh in other files; "
                          "convert it to one .glb first")
@@ -47,7 +46,9 @@ def save(clip: Clip, path: str | os.PathLike, character: Character) -> None:
     for number in character.mesh.nodes:
         node = document["nodes"][number]
         if "matrix" in node:  # an animated node has translation, rotation and scale
-            _decompose(node)
+            move, _, scale = pose(node)
+            del node["matrix"]
+            node.update(translation=move.tolist(), scale=scale.tolist())
 
     # The root's rotation and place below the node above it
     above = character.mesh.above
@@ -65,11 +66,3 @@ def save(clip: Clip, path: str | os.PathLike, character: Character) -> None:
         raise ValueError(f"{character.path}: its JSON text has NaN or Infinity, "
                          "which other programs cannot read") from None
     write_whole(path, whole)
-
-
-def _decompose(node: dict) -> None:
-    """A node's matrix as translation, rotation and scale."""
-    move, turn, scale = pose(node)
-    del node["matrix"]
-    node |= {"translation": move.tolist(), "rotation": turn[[1, 2, 3, 0]].tolist(),
-             "scale": scale.tolist()}

@@ -51,7 +51,7 @@ def pinned(skeleton: Skeleton, rotations: Tensor, root: Tensor,
     steps, before = forward_kinematics(skeleton, rotations[chosen], root[chosen])
     turned, p = forward_kinematics(skeleton, local, place)
     left = R.normalize(p[:, skeleton.role("left_hip")] - p[:, skeleton.role("right_hip")])
-    down = left.new_tensor([0.0, -1.0, 0.0]).expand_as(left)
+    down = left.new_tensor([0.0, -1.0, 0.0])
     back = torch.linalg.cross(down, left)
 
     def carried(pin: Pin) -> Tensor:
@@ -173,9 +173,8 @@ def _leaned(skeleton: Skeleton, p: Tensor, spine: list[int],
     Joint k of the K of the spine turns by k / K of it. What a shoulder lacks is added to both,
     arm after arm, `ROUNDS` times.
     """
-    bend, sink = torch.zeros_like(p[:, 0]), torch.zeros_like(p[:, 0, :1])
-    move, bones = torch.zeros_like(bend), [b - a for a, b in zip(
-        (p[:, j] for j in spine), (p[:, j] for j in spine[1:]), strict=False)]
+    bend = move = torch.zeros_like(p[:, 0])
+    sink, bones = bend[:, :1], p[:, spine].diff(dim=1).unbind(1)
 
     def shifted() -> Tensor:
         # hips that move aside sink as far as straight legs need
