@@ -115,7 +115,7 @@ def list_(model: TrainedRun = None, parameters: Published = None) -> None:
 def fitted(clip: Clip, network: Predictor, bank: StyleBank) -> Clip:
     """The clip on the model's skeleton."""
     skeleton = network.layout.skeleton
-    if not any(map(skeleton.is_end, range(len(skeleton)))):
+    if not skeleton.ends:
         clip = clip.without_ends()
     if (clip.skeleton.names, clip.skeleton.parents) == (skeleton.names, skeleton.parents):
         return clip

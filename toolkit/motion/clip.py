@@ -73,9 +73,13 @@ class Clip:
         return len(self.rotations)
 
     def __repr__(self) -> str:
-        label = " ".join(x for x in (self.style, self.gait) if x) or self.name
-        return (f"Clip({label}: {len(self)} frames at {self.fps:g} Hz, {self.seconds:.1f} s, "
+        return (f"Clip({self.label}: {len(self)} frames at {self.fps:g} Hz, {self.seconds:.1f} s, "
                 f"{len(self.skeleton)} joints)")
+
+    @property
+    def label(self) -> str:
+        """Style and gait, or else the name."""
+        return f"{self.style} {self.gait}".strip() or self.name
 
     @property
     def seconds(self) -> float:

@@ -116,7 +116,7 @@ class Skeleton:
         An End Site within 0.1 mm of the joint counts as none.
         """
         joint = self.role(role)
-        ends = (j for j, p in enumerate(self.parents) if p == joint and self.is_end(j))
+        ends = filter(self.is_end, self.tree.children[joint])
         return next((j for j in ends if float(self.offsets[j].norm()) > 1e-4), joint)
 
     @cached_property
@@ -140,8 +140,8 @@ class Skeleton:
     @cached_property
     def feature_parents(self) -> tuple[int, ...]:
         """Parents of `feature_joints`, as indices into them."""
-        position = {j: i for i, j in enumerate(self.feature_joints)}
-        return tuple(position.get(self.parents[j], -1) for j in self.feature_joints)
+        above = (self.parents[j] for j in self.feature_joints)
+        return tuple(self.feature_of[p] if p >= 0 else -1 for p in above)
 
     def levels(self, device: torch.device) -> Levels:
         """The joints by their depth below the root; made once for each device."""
@@ -194,13 +194,9 @@ class Skeleton:
     def neck(self) -> list[int]:
         """Joints from the chest to the head; the chest alone where no head is known."""
         chest = self.trunk[0]
-        below = {chest}
-        for j, parent in enumerate(self.parents):
-            if parent in below:
-                below.add(j)
-        called = (j for j in sorted(below - {chest}) if self.names[j].lower().endswith("head"))
-        head = next(called, chest)
-        above = [head, *self.ancestors(head)]
+        below = sorted(self.tree.below(chest)[1:])
+        head = next((j for j in below if self.names[j].lower().endswith("head")), chest)
+        above = self.tree.up(head)
         return above[: above.index(chest) + 1][::-1]
 
     @cached_property

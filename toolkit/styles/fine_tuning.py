@@ -185,7 +185,7 @@ def _features(model: Predictor, clips: Clip | Sequence[Clip], name: str | None,
     """Features of clips on the model's skeleton, without End Sites if the model has none."""
     skeleton, samples = model.layout.skeleton, model.layout.samples
     clips = [clips] if isinstance(clips, Clip) else list(clips)
-    if not any(map(skeleton.is_end, range(len(skeleton)))):
+    if not skeleton.ends:
         clips = [clip.without_ends() for clip in clips]
     for clip in clips:
         if why := features.Layout(clip.skeleton).difference(features.Layout(skeleton)):

@@ -124,7 +124,7 @@ def cast(clips: Clip | Sequence[Clip], labels: Sequence[str] | None, contacts,
     """
     clips = on_cpu(clips)
     if labels is None:
-        labels = [" ".join(x for x in (c.style, c.gait) if x) or c.name for c in clips]
+        labels = [clip.label for clip in clips]
     if not clips or len(labels) != len(clips):
         raise ValueError(f"expected clips and a label per clip; got {len(clips)} clips, "
                          f"{len(labels)} labels")
