@@ -16,7 +16,7 @@ from safetensors import SafetensorError, safe_open
 from safetensors.torch import save
 from torch import Tensor, nn
 
-from toolkit.io.files import atomic_write, opened, parsed
+from toolkit.io.files import atomic_write, named, opened, parsed
 
 FORMAT = "toolkit 1"
 TENSORS = 10_000  # of a file
@@ -50,14 +50,11 @@ def read(path: str | os.PathLike, part: str) -> tuple[dict[str, Tensor], dict[st
     """
     path = Path(path)
     try:
-        with opened(path), safe_open(path, framework="pt") as file:
+        with named(path), opened(path), safe_open(path, framework="pt") as file:
             metadata, names = file.metadata() or {}, list(file.keys())
             if len(names) > TENSORS:
-                raise ValueError(f"{path}: has {len(names)} tensors, more than {TENSORS}")
+                raise ValueError(f"has {len(names)} tensors, more than {TENSORS}")
             tensors = {name: file.get_tensor(name).clone() for name in names}
-    except OSError as error:
-        why = error.strerror or "no such file"
-        raise ValueError(f"{path}: cannot be read ({why})") from error
     except SafetensorError as error:
         raise ValueError(f"{path}: not a whole safetensors file ({plain(error)})") from error
     found = metadata.pop("format", None)
@@ -88,15 +85,11 @@ def restore(build: Callable[[], nn.Module], tensors: dict[str, Tensor], start: s
         If a tensor is missing or unknown, has another shape or kind of numbers, or buffers that are
         not in the file are too large.
     """
-    own = {name.removeprefix(start): value for name, value in tensors.items()
-           if name.startswith(start)}
+    own = starting(tensors, start)
     with torch.device("meta"):
         module = build()
     expected = module.state_dict()
-    kinds = ({name: [*value.shape, "float" if value.is_floating_point() else value.dtype]
-              for name, value in values.items()} for values in (expected, own))
-    if why := difference(*kinds):
-        raise ValueError(f"it differs in tensor {why}")
+    check(own, expected, exact=False)
     computed = sum(buffer.nbytes for name, buffer in module.named_buffers() if name not in expected)
     if computed > COMPUTED:
         raise ValueError(f"its buffers would take {computed:.3g} bytes")
@@ -106,6 +99,21 @@ def restore(build: Callable[[], nn.Module], tensors: dict[str, Tensor], start: s
     own = {name: value.to(expected[name].dtype) for name, value in own.items()}
     module.load_state_dict(own, assign=not computed)
     return module.eval()
+
+
+def check(tensors: dict[str, Tensor], expected: dict[str, Tensor], exact: bool = True) -> None:
+    """ValueError if names, shapes or dtypes differ; unless ``exact``, floats of any width agree."""
+    kinds = ({name: [*value.shape, value.dtype if exact or not value.is_floating_point()
+                     else "float"] for name, value in part.items()}
+             for part in (expected, tensors))
+    if why := difference(*kinds):
+        raise ValueError(f"it differs in tensor {why}")
+
+
+def starting(tensors: dict[str, Tensor], start: str) -> dict[str, Tensor]:
+    """The tensors whose names begin with ``start``, by the rest of their names."""
+    return {name.removeprefix(start): value for name, value in tensors.items()
+            if name.startswith(start)}
 
 
 def sound(tensors: Mapping[str, Tensor]) -> None:

@@ -13,6 +13,7 @@ import torch
 from torch import Tensor, nn
 
 from toolkit.io import model_files
+from toolkit.io.model_files import check, starting
 from toolkit.motion.tensors import summary
 
 COUNTED = 2**24  # Adam's own number of steps, a float32, grows no further
@@ -87,14 +88,6 @@ class Checkpoint:
         return True
 
 
-def check(tensors: dict[str, Tensor], expected: dict[str, Tensor]) -> None:
-    """ValueError if names, shapes or dtypes differ from the expected."""
-    kinds = ({name: [*value.shape, value.dtype] for name, value in part.items()}
-             for part in (expected, tensors))
-    if why := model_files.difference(*kinds):
-        raise ValueError(f"it differs in tensor {why}")
-
-
 def _moments(tensors: dict[str, Tensor], adam: torch.optim.Adam) -> dict[int, dict[str, Tensor]]:
     """Adam's state from a file's tensors, by number of the parameter; empty before its first step.
 
@@ -114,12 +107,6 @@ def _moments(tensors: dict[str, Tensor], adam: torch.optim.Adam) -> dict[int, di
         if kinds["step"] < 1 or bool((kinds["exp_avg_sq"] < 0).any()):
             raise ValueError(f"Adam's parameter {i} has a step below 1 or a negative square")
     return moments
-
-
-def starting(tensors: dict[str, Tensor], start: str) -> dict[str, Tensor]:
-    """The tensors whose names begin with ``start``, by the rest of their names."""
-    return {name.removeprefix(start): value for name, value in tensors.items()
-            if name.startswith(start)}
 
 
 class Saver(contextlib.AbstractContextManager):

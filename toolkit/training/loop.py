@@ -26,7 +26,7 @@ from toolkit.networks import Predictor
 from toolkit.networks.adapters import StyleTable
 from toolkit.networks.bank import StyleBank
 from toolkit.training import distributed
-from toolkit.training.checkpoint import Checkpoint, Saver, check, starting
+from toolkit.training.checkpoint import Checkpoint, Saver
 from toolkit.training.distributed import Alone, Objective
 from toolkit.training.loss import baselines, evaluate, make_bank, observed, refit
 from toolkit.training.minibatches import DROPOUT, INIT, Minibatches
@@ -199,9 +199,9 @@ def restore(path: str | os.PathLike, model: Predictor, adam: torch.optim.Adam,
         raise ValueError(f"{path}: the layout is not the expected one: {why}")
     numbers, tensors = _checkpoint(model, adam, config).load(path)
     with model_files.intact(path, "the checkpoint"):
-        state = State(**numbers, best=starting(tensors, "best."))
+        state = State(**numbers, best=model_files.starting(tensors, "best."))
         if state.best:
-            check(state.best, model.state_dict())
+            model_files.check(state.best, model.state_dict())
         state.stalled  # noqa: B018 (all rows have their errors)
     return state
 
