@@ -27,12 +27,17 @@ class _Lines(tqdm):
             print(line, file=sys.stderr)
 
 
+def kernel() -> Any:
+    """The Jupyter kernel that runs the program; None outside of notebooks."""
+    ipython = sys.modules.get("IPython")
+    return getattr(ipython and ipython.get_ipython(), "kernel", None)
+
+
 def progress_bar(iterable: Any = None, *, show: bool = True, **options: Any) -> tqdm:
     """Return tqdm's bar, as suits standard error; in a file, work of 10 s leaves no line."""
-    ipython = sys.modules.get("IPython")
     if not show or sys.stderr is None or sys.stderr.isatty():
         return tqdm(iterable, disable=not show or sys.stderr is None, **options)
-    if ipython and getattr(ipython.get_ipython(), "kernel", None):
+    if kernel():
         from tqdm.auto import tqdm as notebook
 
         return notebook(iterable, **options)

@@ -6,7 +6,6 @@ import asyncio
 import base64
 import html
 import json
-import sys
 import uuid
 import weakref
 from collections.abc import Iterator
@@ -18,6 +17,7 @@ import ipywidgets as widgets
 import traitlets
 from IPython.display import HTML, display
 
+from toolkit.io.progress import kernel
 from toolkit.motion.text import printable
 
 # Beside a widget; its code in the page hides this (scene/index.js).
@@ -25,9 +25,12 @@ STILL = """<div class="tk-still"><img src="data:image/png;base64,{picture}" styl
  alt="{name}"><br>A picture: there is no kernel here. Run the notebook for the {name}.</div>"""
 
 
+STATIC = resources.files("toolkit.view") / "static"
+
+
 def static(name: str) -> str:
     """Text of a file for the browser."""
-    return (resources.files("toolkit.view") / "static" / name).read_text(encoding="utf-8")
+    return (STATIC / name).read_text(encoding="utf-8")
 
 
 def escape(text: object) -> str:
@@ -42,8 +45,7 @@ def embed(data: Any) -> str:
 
 def in_notebook() -> bool:
     """Whether the program runs in a Jupyter kernel."""
-    shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
-    return getattr(shell, "kernel", None) is not None
+    return kernel() is not None
 
 
 def running_loop() -> asyncio.AbstractEventLoop | None:
@@ -65,7 +67,7 @@ class CellWidget(widgets.Widget):
 
     def __init__(self, *arguments, **traits):
         super().__init__(*arguments, **traits)
-        parent = sys.modules["IPython"].get_ipython().kernel.get_parent() if in_notebook() else {}
+        parent = kernel().get_parent() if in_notebook() else {}
         if cell := parent.get("metadata", {}).get("cellId"):
             run, made = self._made.get(cell, ("", weakref.WeakSet()))
             if run != parent["header"]["msg_id"]:
@@ -77,8 +79,7 @@ class CellWidget(widgets.Widget):
 
     def still(self) -> bytes:
         """A picture of such a widget, PNG."""
-        file = resources.files("toolkit.view") / "static" / f"{type(self).__name__.lower()}.png"
-        return file.read_bytes()
+        return (STATIC / f"{type(self).__name__.lower()}.png").read_bytes()
 
     def _repr_mimebundle_(self, **kwargs):
         """The widget; above it, the page gets its picture, which is seen where nothing runs it."""
