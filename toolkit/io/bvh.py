@@ -14,7 +14,7 @@ from toolkit import registry
 from toolkit.io.bvh_text import LARGEST, BVHError, Joint, contents, hierarchy, numbers
 from toolkit.io.files import atomic_write
 from toolkit.io.recording import Recording
-from toolkit.motion import Clip, rotations as R
+from toolkit.motion import Clip, Skeleton, rotations as R
 
 CENTIMETRE = 0.01
 SMALL = 1_000_000  # joints times frames that a file of any size may have
@@ -111,11 +111,24 @@ def save(clip: Clip, path: str | os.PathLike, *, unit: float = CENTIMETRE,
         raise ValueError(f"unit must be a positive number of metres, got {unit}")
     if sorted(order) != ["X", "Y", "Z"]:
         raise ValueError(f"order must name each of X, Y and Z once, such as 'YXZ'; got {order!r}")
-    skeleton = clip.skeleton
+    lines, joints = header(clip.skeleton, unit, order)
+    angles = torch.rad2deg(R.to_euler(clip.rotations[:, joints].double(), order)).flatten(1)
+    rows = torch.cat((clip.root_positions.double() / unit, angles), 1).cpu().numpy()
+    lines += ["MOTION", f"Frames: {len(clip)}", f"Frame Time: {1 / clip.fps:.8f}"]
+    with atomic_write(path) as file:
+        file.write(("\n".join(lines) + "\n").encode())
+        np.savetxt(file, rows, fmt="%.6f")
+
+
+def header(skeleton: Skeleton, unit: float = CENTIMETRE,
+           order: str = "YXZ") -> tuple[list[str], list[int]]:
+    """The lines of a file before its motion, and the joints in the order of their channels.
+
+    ValueError if a joint's name would be read differently.
+    """
     for name in skeleton.names:
         if name != " ".join(name.split()) or "{" in name or "}" in name:
-            raise ValueError(f"{clip.name}: a BVH file cannot hold the joint name {name!r}; "
-                             "rename it")
+            raise ValueError(f"a BVH file cannot hold the joint name {name!r}; rename it")
     lines, visited = ["HIERARCHY"], []
     waiting = [(0, 0)]  # joints with their depths, (-1, depth) for a closing brace; last one first
     while waiting:
@@ -139,12 +152,7 @@ def save(clip: Clip, path: str | os.PathLike, *, unit: float = CENTIMETRE,
             lines.append(f"{tab}\tCHANNELS {len(channels)} {' '.join(channels)}")
         waiting.append((-1, depth))
         waiting += [(child, depth + 1) for child in reversed(skeleton.tree.children[joint])]
-    angles = torch.rad2deg(R.to_euler(clip.rotations[:, visited].double(), order)).flatten(1)
-    rows = torch.cat((clip.root_positions.double() / unit, angles), 1).cpu().numpy()
-    lines += ["MOTION", f"Frames: {len(clip)}", f"Frame Time: {1 / clip.fps:.8f}"]
-    with atomic_write(path) as file:
-        file.write(("\n".join(lines) + "\n").encode())
-        np.savetxt(file, rows, fmt="%.6f")
+    return lines, visited
 
 
 def _rotations(columns: np.ndarray, joints: list[Joint]) -> Tensor:

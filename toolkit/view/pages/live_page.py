@@ -4,8 +4,6 @@ Network, runtime and scene run in the browser, without server or Python.
 """
 
 import os
-import re
-import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -116,6 +114,7 @@ def pack(model, bank, half: bool = False, character: Figure | None = None,
 
     layout: Layout = model.layout
     state, walk = runtime.start(model, bank.vectors[0]), example(model, bank)
+    lines, joints = bvh.header(layout.skeleton)
     corners = (list(bank.names) * 3)[:3]
     channels = {name: 3 * i for i, name in enumerate(CHANNELS)} | {"width": 3 * len(CHANNELS)}
     gating = [(layer.weight.T[None], layer.bias[None]) for layer in model.gating.layers]
@@ -145,7 +144,8 @@ def pack(model, bank, half: bool = False, character: Figure | None = None,
         "life": {"amount": model.life, "period": PERIOD},
         "others": _others(bank, characters - 1),
         "crowd": page.skeleton_data(walk, vertices=VERTICES) if characters > 1 else None,
-        "bvh": _bvh(model, state),
+        "bvh": {"header": "\n".join([*lines, ""]), "joints": joints,
+                "centimetre": bvh.CENTIMETRE},
         "gate": gate(layout.skeleton),
         "traits": {"names": corners, "weights": [1.0, 0.0, 0.0],
                    "speed": round(bank.speed(corners[0]), 2)},
@@ -215,14 +215,3 @@ def panels(weight: Tensor, bias: Tensor) -> Tensor:
 def _plain(fields: dict[str, Any]) -> dict[str, Any]:
     return {name: value.tolist() if isinstance(value, np.ndarray) else value
             for name, value in fields.items()}
-
-
-def _bvh(model, state) -> dict[str, Any]:
-    """The header of a recording's file, and its joints in the order of their channels."""
-    with tempfile.TemporaryDirectory() as folder:
-        bvh.save(runtime.record(model, [state]), Path(folder) / "one.bvh")
-        text = (Path(folder) / "one.bvh").read_text(encoding="utf-8")
-    header = text[: text.rindex("\nMOTION\n") + 1]
-    names = re.findall(r"^\t*(?:ROOT|JOINT) (.+)$", header, re.MULTILINE)
-    joints = [model.layout.skeleton.index(name) for name in names]
-    return {"header": header, "joints": joints, "centimetre": bvh.CENTIMETRE}
