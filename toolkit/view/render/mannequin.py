@@ -3,7 +3,7 @@
 Each part is a rounded cone that follows one joint, in the joint's own axes, so that no bind pose is
 needed. Where a part lies on its joint follows from the next joint, and from where up and ahead are:
 those of a skeleton whose zero rotations stand upright, or else means over the clip, and the floor
-under a standing foot. Radii are in metres of a body whose legs are `LEG` long.
+under a standing foot. Lengths are in metres of a body whose legs are `LEG` long.
 """
 
 import copy
@@ -20,7 +20,7 @@ from toolkit.motion.roles import SIDES
 from toolkit.motion.skeleton import FEET
 from toolkit.view.render.skin import SLOTS, Skin
 
-LEG = 0.87  # hip to ankle in metres of the body that the radii below are written for
+LEG = 0.87  # hip to ankle in metres of the body that the lengths below are written for
 COLORS = {
     "left": "#6a9fcb",
     "right": "#e39a6c",
@@ -185,7 +185,10 @@ def _bones(clip: Clip, drawn: set[int]) -> list[Part]:
 
 
 class _Places:
-    """Mean places and directions in the axes of joints, over frames of a clip."""
+    """Mean places and directions in the axes of joints, over frames of a clip.
+
+    Their unit of length is ``scale`` metres.
+    """
 
     def __init__(self, clip: Clip):
         count = min(len(clip), SAMPLES)
@@ -196,7 +199,7 @@ class _Places:
         self.joints = clip.global_positions[frames].numpy()
         turned = R.to_matrix(root_frames(clip).rotations[frames]).numpy()
         self.body = dict(zip(("left", "up", "ahead"), np.moveaxis(turned, -1, 0), strict=True))
-        self.used = np.arange(count)
+        self.used, self.scale = np.arange(count), 1.0
         self.rest = self._standing()
 
     def _standing(self) -> dict[str, np.ndarray]:
@@ -215,7 +218,7 @@ class _Places:
 
     def place(self, joint: int, points: np.ndarray) -> np.ndarray:
         """Mean place [3] of points ``[F, 3]`` in the axes of a joint."""
-        away = (points - self.joints[:, joint])[self.used]
+        away = (points - self.joints[:, joint])[self.used] / self.scale
         return np.einsum("fji,fj->i", self.axes[self.used, joint], away) / len(self.used)
 
     def joint(self, joint: int, other: int) -> np.ndarray:
@@ -230,7 +233,8 @@ class _Places:
 
     def moved(self, joint: int, point: np.ndarray, other: int) -> np.ndarray:
         """A place [3] in the axes of a joint, in those of another."""
-        return self.place(other, self.axes[:, joint] @ point + self.joints[:, joint])
+        return self.place(other, self.axes[:, joint] @ (self.scale * point)
+                          + self.joints[:, joint])
 
 
 def _unit(vector: np.ndarray) -> np.ndarray:
@@ -241,16 +245,17 @@ def _humanoid(clip: Clip) -> list[Part]:
     found = _Places(clip)
     role, none = found.role, np.zeros(3)
     hip, knee, foot = (role(f"left_{part}") for part in LIMBS[:3])
-    s = (np.linalg.norm(found.joint(hip, knee)) + np.linalg.norm(found.joint(knee, foot))) / LEG
+    leg = np.linalg.norm(found.joint(hip, knee)) + np.linalg.norm(found.joint(knee, foot))
+    found.scale = s = leg / LEG
     if s < 1e-6:
         return []
     parts: list[Part] = []
 
     def put(joint: int, start: np.ndarray, end: np.ndarray, radii: Sequence[float], tone: str,
             **more) -> None:
-        parts.append(Part(joint, start, end, (s * radii[0], s * radii[1]), tone, **more))
+        parts.append(Part(joint, s * start, s * end, (s * radii[0], s * radii[1]), tone, **more))
 
-    _trunk(found, s, put)
+    _trunk(found, put)
     for side in SIDES:
         hip, knee, foot, shoulder, elbow, hand = (role(f"{side}_{part}") for part in LIMBS)
         # thigh, shin, upper arm, forearm, each with the ball at its start
@@ -263,12 +268,12 @@ def _humanoid(clip: Clip) -> list[Part]:
             put(joint, 0.1 * bone, 0.93 * bone, radii, tone)
         put(hand, none, none, (0.026, 0.026), "joint")
         put(foot, none, none, (0.034, 0.034), "joint", foot=side)
-        _hand(found, side, s, put)
-        _foot(found, side, s, put)
+        _hand(found, side, put)
+        _foot(found, side, put)
     return parts
 
 
-def _trunk(found: _Places, s: float, put) -> None:
+def _trunk(found: _Places, put) -> None:
     """Pelvis, waist, chest, shoulders, neck and head."""
     role, skeleton = found.role, found.clip.skeleton
     hips, spine = role("hips"), skeleton.trunk[::-1]
@@ -278,24 +283,23 @@ def _trunk(found: _Places, s: float, put) -> None:
     up = _unit(found.joint(hips, spine[1]) - middle) if len(spine) > 1 else found.along(hips, "up")
     for side, hip in zip(SIDES, sides, strict=True):
         out = hip - middle
-        put(hips, middle + 0.25 * out + 0.035 * s * up, middle + 0.7 * out + 0.015 * s * up,
+        put(hips, middle + 0.25 * out + 0.035 * up, middle + 0.7 * out + 0.015 * up,
             (0.102, 0.07), side, thin=ahead, by=0.92)
 
     chest = spine[-1]
     shoulders = [found.joint(chest, role(f"{side}_shoulder")) for side in SIDES]
     top, ahead = sum(shoulders) / 2, found.along(chest, "ahead")
     across = np.linalg.norm(shoulders[0] - shoulders[1])
-    width = min(max(0.37 * across / s, 0.125), 0.15)
+    width = min(max(0.37 * across, 0.125), 0.15)
     for lower, upper in pairwise(spine):
         put(lower, np.zeros(3), found.joint(lower, upper), (0.104, 0.1), "middle",
             thin=found.along(lower, "ahead"), by=0.78)
     up = found.along(chest, "up") if found.rest else _unit(top)
-    low = top - s * 0.25 * up
-    put(chest, low, top - s * 0.8 * width * up, (0.84 * width, width), "middle", thin=ahead,
-        by=0.74)
+    put(chest, top - 0.25 * up, top - 0.8 * width * up, (0.84 * width, width), "middle",
+        thin=ahead, by=0.74)
     for side, shoulder in zip(SIDES, shoulders, strict=True):
         collar = skeleton.parents[role(f"{side}_shoulder")]
-        inner = top + 0.3 * (shoulder - top) - 0.01 * s * up
+        inner = top + 0.3 * (shoulder - top) - 0.01 * up
         ends = [found.moved(chest, point, collar)
                 for point in (inner, top + 0.9 * (shoulder - top))]
         put(collar, *ends, (0.056, 0.05), "middle")
@@ -312,14 +316,13 @@ def _trunk(found: _Places, s: float, put) -> None:
         up = _unit(up + _unit(found.place(head, 2 * found.joints[:, head]
                                           - found.joints[:, neck[-2]])))
     ahead = np.cross(left, up)
-    put(head, s * (0.045 * up + 0.03 * ahead), s * (0.122 * up + 0.012 * ahead), (0.064, 0.09),
-        "middle", thin=left, by=0.86)
-    eyes = s * (0.104 * up + 0.076 * ahead)
-    put(head, eyes - 0.03 * s * left, eyes + 0.03 * s * left, (0.033, 0.033), "face", thin=up,
-        by=0.75)
+    put(head, 0.045 * up + 0.03 * ahead, 0.122 * up + 0.012 * ahead, (0.064, 0.09), "middle",
+        thin=left, by=0.86)
+    eyes = 0.104 * up + 0.076 * ahead
+    put(head, eyes - 0.03 * left, eyes + 0.03 * left, (0.033, 0.033), "face", thin=up, by=0.75)
 
 
-def _hand(found: _Places, side: str, s: float, put) -> None:
+def _hand(found: _Places, side: str, put) -> None:
     """A mitten with a thumb, flat across the palm; the fingers of a rig are bones of their own."""
     role, children = found.role, found.clip.skeleton.tree.children
     elbow, hand = role(f"{side}_elbow"), role(f"{side}_hand")
@@ -328,40 +331,41 @@ def _hand(found: _Places, side: str, s: float, put) -> None:
     palm = _unit(palm - (palm @ out) * out)
     thumb = np.cross(out, palm)
     thumb *= np.sign(thumb @ ahead) or 1.0
-    put(hand, 0.03 * s * out, 0.085 * s * out, (0.03, 0.039), "middle", thin=palm, by=0.55)
+    put(hand, 0.03 * out, 0.085 * out, (0.03, 0.039), "middle", thin=palm, by=0.55)
     if sum(bool(children[j]) for j in children[hand]) < 3:
-        put(hand, 0.09 * s * out, 0.155 * s * out, (0.037, 0.024), "middle", thin=palm, by=0.5)
-        put(hand, s * (0.04 * out + 0.026 * thumb), s * (0.085 * out + 0.05 * thumb),
-            (0.015, 0.011), "middle")
+        put(hand, 0.09 * out, 0.155 * out, (0.037, 0.024), "middle", thin=palm, by=0.5)
+        put(hand, 0.04 * out + 0.026 * thumb, 0.085 * out + 0.05 * thumb, (0.015, 0.011),
+            "middle")
 
 
-def _foot(found: _Places, side: str, s: float, put) -> None:
+def _foot(found: _Places, side: str, put) -> None:
     """Heel, instep and toes; the sole is the floor in the frames where the foot is lowest."""
     ankle, toe = (found.role(f"{side}_{part}") for part in ("foot", "toe"))
-    heights = found.joints[:, [ankle, toe], 1]
+    heights = found.joints[:, [ankle, toe], 1] / found.scale
     total = heights.sum(1)
     found = copy.copy(found)
     found.used = np.flatnonzero(total <= np.quantile(total, 0.1))
     up, at = found.along(ankle, "up"), np.zeros(3)
+    ankle_height, toe_height = np.median(heights[found.used], axis=0)
     ball = found.joint(ankle, toe)
     ahead = ball - (ball @ up) * up
-    if np.linalg.norm(ahead) < 0.03 * s:  # no toe, or one below the ankle
+    if np.linalg.norm(ahead) < 0.03:  # no toe, or one below the ankle
         toe, ahead = ankle, found.along(ankle, "ahead")
-        ball = 0.12 * s * _unit(ahead - (ahead @ up) * up)
-        sole = -min(max(float(np.median(heights[found.used, 0])), 0.05 * s), 0.12 * s)
+        ball = 0.12 * _unit(ahead - (ahead @ up) * up)
+        sole = -min(max(ankle_height, 0.05), 0.12)
     else:
-        sole = ball @ up - min(max(float(np.median(heights[found.used, 1])), 0.01 * s), 0.05 * s)
+        sole = ball @ up - min(max(toe_height, 0.01), 0.05)
     ahead = _unit(ahead)
     left = np.cross(up, ahead)
     ball = ball + up * (sole - ball @ up)
-    heel = up * sole - 0.03 * s * ahead
-    put(ankle, heel + 0.036 * s * up, ball + 0.03 * s * up, (0.036, 0.034), side, foot=side)
-    put(ankle, at, at + 0.72 * (ball - at) + 0.012 * s * up, (0.036, 0.034), side, foot=side)
-    put(ankle, at, heel + 0.045 * s * up, (0.035, 0.034), side, foot=side)
-    inside = (at + heel) / 2 + 0.035 * s * ahead
-    put(ankle, inside, (inside + ball) / 2 + 0.015 * s * up, (0.036, 0.034), side, foot=side)
+    heel = up * sole - 0.03 * ahead
+    put(ankle, heel + 0.036 * up, ball + 0.03 * up, (0.036, 0.034), side, foot=side)
+    put(ankle, at, 0.72 * ball + 0.012 * up, (0.036, 0.034), side, foot=side)
+    put(ankle, at, heel + 0.045 * up, (0.035, 0.034), side, foot=side)
+    inside = heel / 2 + 0.035 * ahead
+    put(ankle, inside, (inside + ball) / 2 + 0.015 * up, (0.036, 0.034), side, foot=side)
     for sign, length in ((1, 0.05), (-1, 0.042)):
-        ends = (ball + s * (0.016 * sign * left + 0.027 * up),
-                ball + s * (length * ahead + 0.013 * sign * left + 0.022 * up))
+        ends = (ball + 0.016 * sign * left + 0.027 * up,
+                ball + length * ahead + 0.013 * sign * left + 0.022 * up)
         put(toe, *(found.moved(ankle, point, toe) for point in ends), (0.027, 0.022), side,
             foot=side)
