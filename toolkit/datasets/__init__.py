@@ -62,11 +62,8 @@ def contents(name: str, root: str | os.PathLike | None = None) -> dict[str, dict
         return {style: dict.fromkeys(procedural.GAITS, 1) for style in procedural.STYLES}
     takes = module.SOURCE.find(root)
     known = style100.styles(root) if module is style100 else sorted({t.style for t in takes})
-    found = {style: Counter() for style in known}
-    for take in takes:
-        if take.style in found:
-            found[take.style][take.gait] += 1
-    return {style: dict(gaits) for style, gaits in found.items()}
+    return {style: dict(Counter(take.gait for take in takes if take.style == style))
+            for style in known}
 
 
 def available(name: str) -> bool:

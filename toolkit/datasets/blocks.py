@@ -55,11 +55,7 @@ class Split:
 
     def to_json(self) -> dict:
         """The split as JSON values: what `save` writes."""
-        made = {"dataset": self.dataset, "unseen": list(self.unseen), "gap": self.gap,
-                "whole_takes": self.whole_takes}
-        for part in PARTS:
-            made[part] = [list(block) for block in getattr(self, part)]
-        return made
+        return json.loads(json.dumps(vars(self)))
 
     def save(self, path: str | os.PathLike) -> None:
         """Write a JSON file."""

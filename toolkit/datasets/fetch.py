@@ -24,7 +24,6 @@ import filelock
 from toolkit.datasets import bandai, home, published_files as parameters, style100
 from toolkit.datasets.download import RemoteFile, archive, download, members, unpack
 from toolkit.datasets.takes import Names, check_names
-from toolkit.io import bvh
 from toolkit.io.files import parsed, read, write_whole
 
 RECORD = "toolkit-data.json"  # in a fetched folder: what it is, whence and when, checksum, terms
@@ -55,13 +54,13 @@ def _check_100style(folder: Path) -> str:
     takes, cuts = style100.SOURCE.find(folder), style100.frame_cuts(folder)
     styles = style100.styles(folder)
     named = sum((take.style, take.gait) in cuts for take in takes)
-    bvh.load(takes[0].path, unit=bvh.CENTIMETRE, up="y")
+    list(style100.SOURCE.read(takes[:1]))
     return f"{named} of the {len(cuts)} takes of {len(styles)} styles that its tables name"
 
 
 def _check_bandai(folder: Path) -> str:
     takes = bandai.SOURCE.find(folder)
-    bvh.load(takes[0].path, unit=bvh.CENTIMETRE, up="y")
+    list(bandai.SOURCE.read(takes[:1]))
     return f"{len(takes)} takes of {len({take.style for take in takes})} styles"
 
 

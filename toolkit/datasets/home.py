@@ -11,8 +11,6 @@ from pathlib import Path
 
 import platformdirs
 
-FOLDERS = {"lpn-film-100style": "lpn_film_100style"}  # others have the name of the dataset
-
 
 def home() -> Path:
     """The folder with one sub-folder per dataset; it may not exist."""
@@ -21,8 +19,8 @@ def home() -> Path:
 
 
 def folder(name: str) -> Path:
-    """The folder of a dataset; it may not exist."""
-    return home() / FOLDERS.get(name, name)
+    """The folder of a dataset, with ``_`` for each ``-`` of its name; it may not exist."""
+    return home() / name.replace("-", "_")
 
 
 def find(name: str, layout: str, source: str) -> Path:
