@@ -65,7 +65,7 @@ def make(folder: Path, seconds: float = 35.0, *, data_seconds: float = 60.0, see
     eight = torch.stack((2.0 * torch.sin(2 * t), 6.0 * torch.sin(t)), -1)  # (x, z), starts along +z
     commands = runtime.follow(eight, SPEED)
     weights = blend_weights(len(commands))
-    vectors = [run.bank.blend(dict(zip(STYLES, row, strict=True))) for row in weights.tolist()]
+    vectors = weights @ run.bank.select(STYLES).vectors
     states = list(runtime.states(run.model, commands, lambda frame: vectors[frame],
                                  progress=progress))
     contacts = torch.stack([state.contacts[0] for state in states])

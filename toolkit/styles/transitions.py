@@ -1,9 +1,10 @@
 """Styles that change over time (Mason et al. 2022, section 4.4)."""
 
-from bisect import bisect_right
+import math
 from collections.abc import Callable, Mapping
 from itertools import pairwise
 
+import numpy as np
 import torch
 from torch import Tensor
 
@@ -42,11 +43,8 @@ def transition(bank: StyleBank, stops: Mapping[float, str | Mapping[str, float]]
     vectors = [bank.blend(blend) for blend in blends]
 
     def at(frame: int) -> Tensor:
-        now = frame / FPS
-        leg = bisect_right(seconds, now) - 1
-        if leg < 0 or leg == len(seconds) - 1:
-            return vectors[max(leg, 0)]
-        share = (now - seconds[leg]) / (seconds[leg + 1] - seconds[leg])
-        return torch.lerp(vectors[leg], vectors[leg + 1], EASINGS[easing](share))
+        place = float(np.interp(frame / FPS, seconds, range(len(seconds))))
+        before, after = vectors[math.floor(place)], vectors[math.ceil(place)]
+        return torch.lerp(before, after, EASINGS[easing](place % 1))
 
     return at
