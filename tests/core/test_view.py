@@ -239,9 +239,9 @@ def test_what_does_not_fit_a_page_or_a_film_is_refused(clip, tmp_path):
 # the strip
 
 
-@pytest.fixture(params=["pyvista", "matplotlib"])
+@pytest.fixture(params=["pyvista", "pillow"])
 def drawer(request, monkeypatch):
-    if request.param == "matplotlib":
+    if request.param == "pillow":
         monkeypatch.setattr(stage, "opengl_works", lambda: False)
     elif not stage.opengl_works():
         pytest.skip("pyvista finds no OpenGL here")

@@ -1,4 +1,4 @@
-"""Bodies on a floor before a camera, drawn by pyvista, or by matplotlib where there is no OpenGL.
+"""Bodies on a floor before a camera, drawn by pyvista, or by Pillow where there is no OpenGL.
 
 pyvista must be used from the main thread only.
 """
@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from PIL import Image
+from PIL import Image, ImageDraw
 
 from toolkit.view.render.bodies import BACK, SHADE, Body, Camera, Lines, Pose, axes
 from toolkit.view.render.opengl import explain_missing_opengl, opengl_works
@@ -120,38 +120,34 @@ class Rendered(Stage):
 
 
 class Painted(Stage):
-    """Drawn by matplotlib: the far triangles first."""
+    """Drawn by Pillow: the far triangles first."""
 
     def _picture(self, points: np.ndarray, colors: np.ndarray, flat: np.ndarray,
                  camera: Camera) -> np.ndarray:
-        from matplotlib.backends.backend_agg import FigureCanvasAgg
-        from matplotlib.collections import LineCollection, PolyCollection
-        from matplotlib.figure import Figure
-
-        width, height = self.size
+        width, height = (FINE * n for n in self.size)
         turn, scale = axes(camera.azimuth, camera.tilt), height / camera.height
 
         def seen(places: np.ndarray) -> np.ndarray:
-            """Pixels to the right and upwards, and towards the viewer [..., 3]."""
-            return scale * ((places - camera.target) @ turn.T) + [width / 2, height / 2, 0]
+            """Pixels to the right and downwards, and towards the viewer [..., 3]."""
+            return (places - camera.target) @ turn.T * [scale, -scale, 1] + [
+                width / 2, height / 2, 0]
 
-        figure = Figure(figsize=(width / 100, height / 100), dpi=100, facecolor=BACK)
-        paper = figure.add_axes((0, 0, 1, 1), xlim=(0, width), ylim=(0, height))
-        paper.set_axis_off()
+        picture = Image.new("RGB", (width, height), BACK)
+        draw = ImageDraw.Draw(picture)
         if self.lines is not None:
             pieces = self.lines.segments()
             ends = seen(pieces + self.lines.crossing(camera.target))[..., :2]
-            colors_of_lines = self.lines.colors(pieces.mean(1))
-            paper.add_collection(LineCollection(ends, colors=colors_of_lines, lw=0.8, zorder=0))
+            tones = (255 * self.lines.colors(pieces.mean(1))).astype(int)
+            for line, tone in zip(ends.reshape(-1, 4).tolist(), tones.tolist(), strict=True):
+                draw.line(line, tuple(tone), FINE)
         shadow, corners = seen(flat)[self.triangles], seen(points)[self.triangles]
         order = np.argsort(corners[..., 2].mean(1))
-        tones = colors[self.triangles].mean(1)[order] / 255
-        for shapes, faces, z in ((shadow, SHADE, 1), (corners[order], tones, 2)):
-            paper.add_collection(PolyCollection(shapes[..., :2], facecolors=faces,
-                                                edgecolors=faces, lw=0.3, zorder=z))
-        canvas = FigureCanvasAgg(figure)
-        canvas.draw()
-        return np.asarray(canvas.buffer_rgba())[..., :3].copy()
+        shapes = np.concatenate((shadow, corners[order]))[..., :2].reshape(-1, 6)
+        tones = colors[self.triangles].mean(1)[order].astype(int)
+        faces = [SHADE] * len(shadow) + [tuple(tone) for tone in tones.tolist()]
+        for shape, face in zip(shapes.tolist(), faces, strict=True):
+            draw.polygon(shape, face)
+        return np.asarray(picture.reduce(FINE))
 
     def close(self) -> None:
         """Nothing is kept."""
