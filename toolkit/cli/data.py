@@ -14,8 +14,7 @@ from toolkit.datasets import blocks, home, procedural
 from toolkit.datasets.fetch import ORIGINS, RECORD, fetch, find, has, record
 from toolkit.io import save as saving
 
-app = typer.Typer(no_args_is_help=True, add_completion=False,
-                  help="Download datasets and show what they hold.")
+app = typer.Typer(no_args_is_help=True, add_completion=False)
 
 
 @app.command("fetch")

@@ -23,8 +23,7 @@ from toolkit.training.run import RECORDED, model_file
 
 AXES = 3.0  # seconds of a model's walk, from which its skeleton's axes are measured
 
-app = typer.Typer(no_args_is_help=True, add_completion=False,
-                  help="Add styles to a trained model, and list its styles.")
+app = typer.Typer(no_args_is_help=True, add_completion=False)
 
 
 @app.command("add")

@@ -81,7 +81,9 @@ class Verb(TyperCommand):
         if not isinstance(app, typer.Typer):
             function, app = app, typer.Typer(add_completion=False)
             app.command()(function)
-        return typer.main.get_command(app)
+        command = typer.main.get_command(app)
+        command.help = command.help or self.help
+        return command
 
     def make_context(self, *arguments, **options):
         """Parse the arguments of the verb, which then takes this one's place."""
