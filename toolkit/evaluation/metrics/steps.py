@@ -149,11 +149,9 @@ def _checked(clip: Clip, contact: Tensor) -> Tensor:
 
 def _toes(clip: Clip, fps: float | None = None) -> tuple[Tensor, Tensor]:
     """Positions ``[F, 2, 3]`` of the toes at a rate, and their heights ``[F, 2]``."""
-    if len(clip) < 2:
-        raise ValueError(f"{clip.name}: foot skate needs two frames, the clip has {len(clip)}")
-    sampled = clip if fps is None else clip.resample(fps)
+    sampled = clip if fps is None or len(clip) < 2 else clip.resample(fps)
     if len(sampled) < 2:
-        raise ValueError(f"{clip.name}: foot skate needs two frames at {fps:g} Hz, "
+        raise ValueError(f"{clip.name}: foot skate needs two frames at {sampled.fps:g} Hz, "
                          f"the clip lasts {clip.seconds:.2f} s")
     toes = contacts.toes_of(sampled)
     return toes, toes[..., 1] - contacts.standing_height(clip)

@@ -46,7 +46,7 @@ class Corners(PageWidget):
 
 def _fit(shares: Sequence[float]) -> bool:
     """Whether shares are finite, not negative, and not all zero."""
-    return all(math.isfinite(w) and w >= 0 for w in shares) and 0 < sum(shares) < math.inf
+    return all(w >= 0 for w in shares) and 0 < sum(shares) < math.inf
 
 
 def corners(bank, weights: Mapping[str, float],
