@@ -8,6 +8,7 @@ import unchanged as numbers
 from hypothesis import settings
 
 import toolkit as tk
+from toolkit.__main__ import main
 from toolkit.extra.formats import inspection, interpretation
 from toolkit.io.recording import Recording
 
@@ -55,15 +56,15 @@ def walk_clip() -> tk.Clip:
 @pytest.fixture(scope="session")
 def zombie() -> tk.Clip:
     """Three seconds of procedural walking, away from the origin and from the axes."""
-    clips = tk.datasets.load("procedural", styles=["Zombie"], gaits=["FW"], seconds=3.0)
-    return clips[0].moved(turn=0.7, shift=(2.0, 0.0, -1.0))
+    clip = tk.datasets.procedural.generate("Zombie", seconds=3.0)
+    return clip.moved(turn=0.7, shift=(2.0, 0.0, -1.0))
 
 
 @pytest.fixture(scope="session")
 def two_styles() -> tk.features.Features:
     """Features of ten seconds of each of two styles."""
-    return tk.features.build(tk.datasets.load(
-        "procedural", styles=["Neutral", "Zombie"], gaits=["FW"], seconds=10.0))
+    return tk.features.build(
+        tk.datasets.load("procedural", styles=["Neutral", "Zombie"], gaits=["FW"], seconds=10.0))
 
 
 @pytest.fixture(scope="session")
@@ -100,6 +101,16 @@ def fast() -> tuple:
     """The embedded model compiled, which walks ten times as fast, and its styles."""
     model, bank = tk.pretrained()
     return tk.runtime.compile(model), bank
+
+
+@pytest.fixture
+def command(capsys):
+    """``command(words, *more, status=0)``: what the command line printed and what it said."""
+    def run(words: str, *more: object, status: int = 0):
+        assert main([*words.split(), *map(str, more)]) == status
+        return capsys.readouterr()
+
+    return run
 
 
 @pytest.fixture

@@ -227,7 +227,7 @@ def fbx_figure(character, picture):
 
 def smpl_walk(seconds=1.0):
     """A procedural walk on SMPL's joints."""
-    clip = tk.datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=seconds)[0]
+    clip = tk.datasets.procedural.generate("Neutral", seconds=seconds)
     offsets = npz.rest_pose(22).float()
     offsets[1:] += 0.02 * torch.randn(21, 3, generator=torch.Generator().manual_seed(0))
     return retargeting.retarget(clip, tk.Skeleton(npz.BODY, npz.PARENTS[:22], offsets,

@@ -141,7 +141,7 @@ def roles(convention: Convention) -> dict[str, str]:
 def walk(name: str, turned: bool = False, seconds: float = 4.0) -> Clip:
     """A walk towards +z on a rig, in metres with Y up; ``turned``: each joint has its own axes."""
     convention = TABLE[name]
-    clip = tk.datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=seconds)[0]
+    clip = tk.datasets.procedural.generate("Neutral", seconds=seconds)
     return _turned(_rig(clip, convention)) if turned else _rig(clip, convention)
 
 

@@ -30,17 +30,12 @@ RightFoot RightKnee 0 -.4 0
 RightToe RightFoot 0 -.05 .15"""
 
 
-def body_of(text: str) -> Skeleton:
-    """The body of such lines."""
-    rows = [line.split() for line in text.splitlines()]
+def human() -> Skeleton:
+    """A symmetric body in a T-pose: +Z forward, left +X."""
+    rows = [line.split() for line in HUMAN.splitlines()]
     names = [row[0] for row in rows]
     parents = [-1] + [names.index(row[1]) for row in rows[1:]]
     return Skeleton(names, parents, torch.tensor([[float(v) for v in row[2:]] for row in rows]))
-
-
-def human() -> Skeleton:
-    """A symmetric body in a T-pose: +Z forward, left +X."""
-    return body_of(HUMAN)
 
 
 def quaternions(seed: int, *shape: int, dtype=torch.float64) -> torch.Tensor:

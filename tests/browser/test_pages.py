@@ -278,7 +278,7 @@ def test_sliders_of_the_laboratory_change_the_errors(framed):
 
 
 def test_the_blind_page_counts_answers_of_each_pair_once(framed):
-    clips = tk.datasets.load("procedural", styles=["Neutral", "Zombie"], gaits="FW", seconds=3.0)
+    clips = procedural.load(["Neutral", "Zombie"], "FW", 3.0)
     page = framed(course.blind({"one": tuple(clips), "two": tuple(clips)}, "which is Neutral?"))
     for _ in range(2):
         page.locator("button").first.click()

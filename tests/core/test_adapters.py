@@ -5,6 +5,7 @@ import math
 import pytest
 import torch
 from torch.nn import functional
+from torch.testing import assert_close
 
 from toolkit.networks import BlendedLinear, CatmullRom, Film, OneHot, ResidualAdapter
 
@@ -29,7 +30,7 @@ def test_a_layer_on_a_phase_equals_interpolating_whole_weight_sets():
     for n in range(40):
         at = float(phase[n])
         expected = x[n] @ spline(layer.weight, at) + spline(layer.bias, at)
-        torch.testing.assert_close(got[n], expected, rtol=1e-10, atol=1e-10)
+        assert_close(got[n], expected, rtol=1e-10, atol=1e-10)
 
 
 def test_one_hot_is_a_label_beside_the_input():
@@ -44,10 +45,10 @@ def test_one_hot_is_a_label_beside_the_input():
         one_hot = functional.one_hot(torch.tensor(style), 4).double()
         weight = sum(gates[n, k] * torch.cat((layer.weight[k], rows[:, k])) for k in range(3))
         f = torch.cat((x[n], one_hot)) @ weight + sum(gates[n, k] * layer.bias[k] for k in range(3))
-        torch.testing.assert_close(got[n], functional.elu(f), rtol=1e-10, atol=1e-12)
+        assert_close(got[n], functional.elu(f), rtol=1e-10, atol=1e-12)
     f = torch.randn(5, 6).double()
     same = label(1, f, label.generator(styles), f, gates)
-    torch.testing.assert_close(same, functional.elu(f))
+    assert_close(same, functional.elu(f))
 
 
 @pytest.mark.parametrize("rank", [None, 3])
@@ -67,8 +68,8 @@ def test_residual_adapter_equals_a_loop_over_samples(rank):
             middle = torch.diag(gates[n] @ c.view(4, rank))
             matrix = v.view(6, rank) @ middle @ u.view(rank, 6)
         expected = functional.elu(f[n] + x[n] @ matrix + b)
-        torch.testing.assert_close(got[n], expected, rtol=1e-10, atol=1e-12)
-    torch.testing.assert_close(adapter(0, f, style, x, gates), functional.elu(f))
+        assert_close(got[n], expected, rtol=1e-10, atol=1e-12)
+    assert_close(adapter(0, f, style, x, gates), functional.elu(f))
 
 
 @pytest.mark.parametrize("modulation", [
@@ -79,5 +80,5 @@ def test_one_style_for_the_whole_batch_equals_a_row_for_each_sample(modulation, 
     f, x, gates = torch.randn(5, 6), torch.randn(5, 6), torch.randn(5, 4)
     style = torch.randn(modulation.size)
     each = modulation(layer, f, style.expand(5, -1), x, gates)
-    torch.testing.assert_close(modulation(layer, f, style, x, gates), each)
-    torch.testing.assert_close(modulation(layer, f, style[None], x, gates), each)
+    assert_close(modulation(layer, f, style, x, gates), each)
+    assert_close(modulation(layer, f, style[None], x, gates), each)

@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 import torch
 from hypothesis import given, strategies as st
+from refusal import refusal
 from strategies import clips, human_clip
+from torch.testing import assert_close
 
 import toolkit as tk
 from toolkit.io import bvh, decimals
@@ -49,10 +51,9 @@ def assert_same(again, clip, error):
     same = [names.index(name) for name in clip.skeleton.names]
     parents = [names[again.skeleton.parents[j]] for j in same if j]
     assert parents == [clip.skeleton.names[p] for p in clip.skeleton.parents[1:]]
-    torch.testing.assert_close(again.global_positions[:, same], clip.global_positions,
-                               atol=error, rtol=0)
-    torch.testing.assert_close(R.to_matrix(again.global_rotations[:, same]),
-                               R.to_matrix(clip.global_rotations), atol=1e-4, rtol=0)
+    assert_close(again.global_positions[:, same], clip.global_positions, atol=error, rtol=0)
+    assert_close(R.to_matrix(again.global_rotations[:, same]),
+                 R.to_matrix(clip.global_rotations), atol=1e-4, rtol=0)
 
 
 def write(folder, text, name="walk.bvh"):
@@ -69,7 +70,7 @@ def test_a_file_worked_out_by_hand(tmp_path):
     expected = [[[0, 0.9, 0], [0, 1, 0], [0, 1.05, 0]],
                 [[0.01, 0.9, 0], [0.01, 1, 0], [0.01, 1.05, 0]],
                 [[0.02, 0.9, 0], [-0.08, 0.9, 0], [-0.13, 0.9, 0]]]
-    torch.testing.assert_close(clip.global_positions, torch.tensor(expected), atol=1e-6, rtol=0)
+    assert_close(clip.global_positions, torch.tensor(expected), atol=1e-6, rtol=0)
 
 
 WAYS = {
@@ -113,7 +114,7 @@ def test_joints_may_be_called_like_end_sites(tmp_path):
     for skeleton in (clip.skeleton, again.skeleton):
         assert skeleton.names == names
         assert skeleton.ends == ("Head3End", "Toe_EndEnd", "Toe_End2End")
-    torch.testing.assert_close(again.rotations, clip.rotations, atol=1e-6, rtol=0)
+    assert_close(again.rotations, clip.rotations, atol=1e-6, rtol=0)
     turned = [name for name, q in zip(names, clip.rotations[0], strict=True)
               if bool((q != R.identity()).any())]
     assert turned == ["HeadEnd", "Toe_End"]
@@ -163,7 +164,7 @@ Frame Time: 0.033333
     clip = load(write(tmp_path, text))
     assert clip.skeleton.names == ("Hips", "Spine")
     expected = [[[0.01, 0.9, 0.02], [0.01, 1.1, 0.02]], [[0.01, 0.9, 0.09], [0.01, 1.1, 0.09]]]
-    torch.testing.assert_close(clip.global_positions, torch.tensor(expected), atol=1e-6, rtol=0)
+    assert_close(clip.global_positions, torch.tensor(expected), atol=1e-6, rtol=0)
     said = r"walk\.bvh: joint Spine changes its distance to its parent by up to 5 units"
     with pytest.raises(bvh.BVHError, match=said):
         load(write(tmp_path, text.replace("9 0 0 0 0 20", "9 0 0 0 0 25")))
@@ -209,7 +210,7 @@ def test_recordings_of_three_makers_are_written_and_read_again(shared, tmp_path,
     ({"order": "XY"}, "got 'XY'"),
 ])
 def test_a_unit_or_order_that_no_file_can_have_is_refused(tmp_path, options, problem):
-    with pytest.raises(ValueError, match=re.escape(problem)):
+    with refusal(re.escape(problem)):
         bvh.save(human_clip(0), tmp_path / "clip.bvh", **options)
     assert not list(tmp_path.iterdir())
 

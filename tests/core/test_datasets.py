@@ -3,11 +3,11 @@ import warnings
 
 import pytest
 import torch
+from refusal import refusal
 from strategies import human_clip
 
 from experiments import table1
 from toolkit import datasets
-from toolkit.__main__ import main
 from toolkit.datasets import style100
 from toolkit.io import bvh
 
@@ -85,13 +85,13 @@ def test_the_folder_from_the_environment(small, monkeypatch, tmp_path_factory):
     monkeypatch.setenv("TOOLKIT_DATA", str(home))
     assert datasets.available("procedural")
     assert not datasets.available("100style")
-    with pytest.raises(ValueError, match=r"100style: nothing at .*data fetch 100style.*zenodo.*"
-                                         r"give root=.*TOOLKIT_DATA"):
+    with refusal(r"100style: nothing at .*data fetch 100style.*zenodo.*"
+                 r"give root=.*TOOLKIT_DATA"):
         datasets.load("100style")
     shutil.move(small, home / "100style")
     assert datasets.available("100style")
     assert len(datasets.load("100style")) == 3
-    with pytest.raises(ValueError, match="unknown dataset 'bandi'; did you mean 'bandai'"):
+    with refusal("unknown dataset 'bandi'; did you mean 'bandai'"):
         datasets.available("bandi")
 
 
@@ -117,9 +117,8 @@ def test_bandai_reads_names(tmp_path):
     ],
 )
 def test_bad_arguments_in_one_line(small, arguments, match):
-    with pytest.raises(ValueError, match=match) as caught:
+    with refusal(match):
         datasets.load(**({"name": "100style", "root": small} | arguments))
-    assert "\n" not in str(caught.value)
 
 
 @pytest.mark.parametrize(
@@ -136,9 +135,8 @@ def test_bad_arguments_in_one_line(small, arguments, match):
 )
 def test_bad_tables_in_one_line(small, table, text, match):
     (small / table).write_text(text)
-    with pytest.raises(ValueError, match=match) as caught:
+    with refusal(match):
         style100.styles(small) if table == "Dataset_List.csv" else datasets.load("100style", small)
-    assert "\n" not in str(caught.value)
 
 
 def test_table1_equals_the_paper(shared, capsys):
@@ -163,14 +161,12 @@ def test_real_recordings_have_the_size_of_people_and_are_mirrored(recordings):
     assert found == {("Neutral", "FW", 873), ("Neutral", "ID", 545)}
 
 
-def test_the_verb_lists_and_says_what_is_wrong_in_one_line(small, capsys, monkeypatch):
+def test_the_verb_lists_and_says_what_is_wrong_in_one_line(small, command, monkeypatch):
     monkeypatch.setenv("RANK", "1")  # a variable of other programs silences nothing
     shown = warnings.showwarning
-    assert main(["data", "list", "100style", "--root", str(small)]) == 0
-    printed = capsys.readouterr().out.split()
+    printed = command("data list 100style --root", small).out.split()
     assert printed == ["Old", "BR", "1,", "FW", "1", "Zombie", "FW", "1"]
-    assert main(["data", "list", "100styl"]) == 2
-    said = capsys.readouterr()
+    said = command("data list 100styl", status=2)
     assert said.out == ""
     assert said.err.startswith("error: unknown dataset '100styl'; did you mean '100style'")
     assert said.err.count("\n") == 1

@@ -33,7 +33,7 @@ def test_the_global_phase_is_the_right_feet_of_a_walk():
     clip, truth = tk.datasets.procedural.truth("Neutral", "FW", seconds=12.0)
     p = tk.phases.extract(clip).vector.flatten(1)
     angle = phase.global_phase(p)[:, 0]
-    assert bool(((angle >= 0) & (angle < math.tau)).all())
+    assert ((angle >= 0) & (angle < math.tau)).all()
     walking = slice(120, -120)
     turned = np.unwrap(angle.numpy())[walking]
     assert np.diff(turned).min() > 0
@@ -41,7 +41,7 @@ def test_the_global_phase_is_the_right_feet_of_a_walk():
         float(truth.phase[walking][-1, 3] - truth.phase[walking][0, 3]), abs=0.5
     )
     mirrored = phase.global_phase(p.unflatten(-1, (4, 2))[:, [1, 0, 3, 2]].flatten(1))[:, 0]
-    assert float(((mirrored - angle) % math.tau - math.pi).abs().max()) < 1e-3
+    assert ((mirrored - angle) % math.tau - math.pi).abs().max() < 1e-3
 
 
 def test_observing_keeps_shared_columns_and_makes_the_phase_the_models_own(model, data):
@@ -57,8 +57,8 @@ def test_observing_keeps_shared_columns_and_makes_the_phase_the_models_own(model
     assert torch.allclose(ahead[:-1].cos(), own[1:].cos(), atol=1e-4)
     assert torch.allclose(ahead[:-1].sin(), own[1:].sin(), atol=1e-4)
     if model.name.startswith("pfnn"):
-        assert float(seen["phase_updates"].abs().max()) <= math.pi
-        assert bool(((ahead >= 0) & (ahead < math.tau)).all())
+        assert seen["phase_updates"].abs().max() <= math.pi
+        assert ((ahead >= 0) & (ahead < math.tau)).all()
 
 
 def test_statistics_are_those_of_the_models_own_columns(model, data):

@@ -15,9 +15,9 @@ from pathlib import Path
 import filelock
 import pytest
 from archive_server import Server
+from refusal import refusal
 
 import toolkit as tk
-from toolkit.__main__ import main
 from toolkit.datasets import download, fetch, home, procedural
 
 
@@ -83,7 +83,7 @@ def left(root: Path) -> list[str]:
     return sorted(p.name for p in root.parent.iterdir() if not p.name.endswith(".lock"))
 
 
-def test_fetched_data_is_found_without_a_root(root, server, capsys, members):
+def test_fetched_data_is_found_without_a_root(root, server, command, members):
     assert not tk.datasets.available("100style")
     known = get()
     assert known["sha256"] == sha256(server.content)
@@ -97,8 +97,7 @@ def test_fetched_data_is_found_without_a_root(root, server, capsys, members):
             if name.startswith("100STYLE") and name.endswith((".bvh", ".csv", ".txt"))}
     there = {p.relative_to(root).as_posix(): p.read_bytes() for p in root.rglob("*") if p.is_file()}
     assert there == kept | {fetch.RECORD: (root / fetch.RECORD).read_bytes()}
-    assert main(["data", "list", "100style"]) == 0
-    assert capsys.readouterr().err == f"100style: {root}\n"
+    assert command("data list 100style").err == f"100style: {root}\n"
     styles = [clip.style for clip in tk.datasets.load("100style")]
     assert styles == ["ProceduralNeutral", "ProceduralZombie"]
     assert tk.datasets.where("100style") == f"100style: {root}"
@@ -130,7 +129,7 @@ def cut(server, **options):
 def test_a_server_that_stays_bad_is_given_up_and_gone_on_with_later(root, server, members):
     cut(server)
     right, server.content = server.content, bytes(reversed(server.content))
-    with pytest.raises(ValueError, match=r"refused \(removed"):
+    with refusal(r"refused \(removed"):
         get()  # parts of two files
     server.content = right
     server.requests.clear()
@@ -150,7 +149,7 @@ def test_a_server_that_stays_bad_is_given_up_and_gone_on_with_later(root, server
 def test_a_file_that_changes_in_between_is_refused(root, server, ranges):
     server.ranges = ranges
     server.plan.extend(["cut 98304", "changed"])
-    with pytest.raises(ValueError, match=r'another file than before: expected "first", got "sec'):
+    with refusal(r'another file than before: expected "first", got "sec'):
         get()
     assert left(root) == []
 
@@ -165,7 +164,7 @@ def test_a_server_without_ranges_sends_all_again(root, server):
 ALL = "ProceduralNeutral", "ProceduralZombie"
 
 
-def test_single_styles_are_read_out_of_the_archive_on_the_server(root, server, capsys):
+def test_single_styles_are_read_out_of_the_archive_on_the_server(root, server, command):
     known = get(styles="ProceduralZombie")
     assert known["styles"] == ["ProceduralZombie"]
     assert known["found"] == "1 of the 2 takes of 2 styles that its tables name"
@@ -175,8 +174,8 @@ def test_single_styles_are_read_out_of_the_archive_on_the_server(root, server, c
     assert get(styles=[ALL[1]]) == known  # there already
     assert len(server.requests) == asked
     # another one is added; the whole dataset replaces both
-    assert main(["data", "fetch", "100style", "--yes", "--styles", ALL[0]]) == 0
-    assert "size   about 15 MB of" in capsys.readouterr().out
+    said = command("data fetch 100style --yes --styles", ALL[0]).out
+    assert "size   about 15 MB of" in said
     assert {clip.style for clip in tk.datasets.load("100style")} == set(ALL)
     assert fetch.record(root)["styles"] == list(ALL)
     assert get()["styles"] == []
@@ -211,7 +210,7 @@ def test_single_styles_over_a_bad_connection(root, server, plan):
 def test_single_styles_are_refused(root, server, plan, changes, problem):
     server.plan.extend(plan)
     vars(server).update(changes)
-    with pytest.raises(ValueError, match=rf"{problem}.*refused \(removed"):
+    with refusal(rf"{problem}.*refused \(removed"):
         get(styles=ALL)
     assert left(root) == []
 
@@ -220,12 +219,12 @@ def test_a_damaged_member_or_an_unknown_style_is_refused(root, server, tmp_path,
     middle = server.content.index(b"100STYLE/noise.txt") + 10_000
     wrong = bytes([server.content[middle] ^ 255])
     server.content = server.content[:middle] + wrong + server.content[middle + 1 :]
-    with pytest.raises(ValueError, match="not a whole zip archive"):
+    with refusal("not a whole zip archive"):
         get(styles=ALL)
-    with pytest.raises(ValueError, match="unknown style 'Zombie'; did you mean ProceduralZombie"):
+    with refusal("unknown style 'Zombie'; did you mean ProceduralZombie"):
         get(styles="Zombie")
     assert left(root) == []
-    with pytest.raises(ValueError, match="single styles are fetched of 100style, not of bandai"):
+    with refusal("single styles are fetched of 100style, not of bandai"):
         fetch.fetch("bandai", styles="Old")
     own = tmp_path / "own.zip"
     own.write_bytes(zipped(members))
@@ -247,12 +246,11 @@ def test_a_disk_that_is_full_during_a_download_is_named(server, tmp_path):
     assert error.value.filename == str(tmp_path / "it.zip.part")
 
 
-def test_a_wrong_checksum_is_refused_and_the_file_removed(root, server, capsys):
+def test_a_wrong_checksum_is_refused_and_the_file_removed(root, server, command):
     right, wrong = server.content, bytearray(server.content)
     wrong[-1] ^= 1
     server.content = bytes(wrong)
-    assert main(["data", "fetch", "100style", "--yes"]) == 2
-    said = capsys.readouterr().err
+    said = command("data fetch 100style --yes", status=2).err
     assert said.count("\n") == 1
     assert re.search(rf"{sha256(right)}.*{sha256(wrong)}.*refused \(removed;", said)
     assert left(root) == []
@@ -263,7 +261,7 @@ def test_a_wrong_checksum_is_refused_and_the_file_removed(root, server, capsys):
 def test_an_answer_that_stays_no(root, server):
     for plan, problem in ((["404"], "answers 404 Not Found"), (["302 /x"] * 40, "30 redirects")):
         server.plan.extend(plan)
-        with pytest.raises(ValueError, match=problem):
+        with refusal(problem):
             get()
         assert left(root) == []
         server.plan.clear()
@@ -271,24 +269,23 @@ def test_an_answer_that_stays_no(root, server):
 
 def test_without_a_checksum_every_address_is_encrypted(root, server, monkeypatch):
     publish(monkeypatch, server, size=None, sha256=None)
-    with pytest.raises(ValueError, match=r"http://\S+ is not encrypted; give an https address"):
+    with refusal(r"http://\S+ is not encrypted; give an https address"):
         get(source="http://data.example/x.zip")
     assert not server.requests
     server.plan.append("302 http://data.example/x.zip")
-    with pytest.raises(ValueError, match=r"leads to http://data.example/x.zip, which is not enc"):
+    with refusal(r"leads to http://data.example/x.zip, which is not enc"):
         get()
     assert len(server.requests) == 1
     server.plan.append(f"302 {server.url}")
     assert get()["files"] == 5
 
 
-def test_a_damaged_record_is_said_in_one_line(root, capsys):
+def test_a_damaged_record_is_said_in_one_line(root, command):
     get()
     record = (root / fetch.RECORD).read_text()
     for text in ("7", record[:-9]):
         (root / fetch.RECORD).write_text(text)
-        assert main(["data", "fetch", "100style"]) == 2
-        said = capsys.readouterr().err
+        said = command("data fetch 100style", status=2).err
         assert f"{fetch.RECORD}: damaged; move the folder away to fetch it again" in said
         assert said.count("\n") == 1
 
@@ -297,7 +294,7 @@ def test_an_archive_that_means_harm_is_refused(root, tmp_path, members):
     bad = tmp_path / "bad.zip"
     for member in ("100STYLE/../../evil.bvh", "/tmp/evil.bvh", "..\\evil.bvh", "C:evil.bvh"):
         bad.write_bytes(before := zipped(members | {member: b"/etc/passwd"}))
-        with pytest.raises(ValueError, match=r"leads out of the folder.*refused .nothing was"):
+        with refusal(r"leads out of the folder.*refused .nothing was"):
             get(source=bad, sha256=sha256(before))
         assert bad.read_bytes() == before
         assert left(root) == []
@@ -309,7 +306,7 @@ def test_damaged_archives_are_refused(root, tmp_path, members):
 
     def refused(data: bytes, problem: str):
         bad.write_bytes(data)
-        with pytest.raises(ValueError, match=problem):
+        with refusal(problem):
             get(source=bad, sha256=sha256(data))
         assert not root.exists()
 
@@ -330,10 +327,10 @@ def test_a_file_of_ones_own(root, tmp_path, server):
     assert get(source=own)["source"] == str(own)
     assert own.exists()
     assert not server.requests
-    with pytest.raises(ValueError, match=r"nowhere.zip: no such file; an address starts with"):
+    with refusal(r"nowhere.zip: no such file; an address starts with"):
         get(root=tmp_path / "other", source=tmp_path / "nowhere.zip")
     own.write_bytes(b"junk")
-    with pytest.raises(ValueError, match=r"own.zip: expected the sha256.*nothing was changed"):
+    with refusal(r"own.zip: expected the sha256.*nothing was changed"):
         get(root=tmp_path / "other", source=own)
     assert own.read_bytes() == b"junk"
 
@@ -341,7 +338,7 @@ def test_a_file_of_ones_own(root, tmp_path, server):
 def test_another_folder_is_never_overwritten(root):
     root.mkdir(parents=True)
     (root / "mine.txt").write_text("keep")
-    with pytest.raises(ValueError, match="holds something else; move it away"):
+    with refusal("holds something else; move it away"):
         get()
     assert [p.name for p in root.iterdir()] == ["mine.txt"]
     (root / "mine.txt").unlink()
@@ -352,15 +349,14 @@ def test_another_folder_is_never_overwritten(root):
 
 def test_two_at_once_do_not_mix(root):
     root.parent.mkdir()
-    other = pytest.raises(ValueError, match="another process is fetching it")
+    other = refusal("another process is fetching it")
     with filelock.FileLock(root.with_name(".100style.lock")), other:
         get()
     assert get()["files"] == 5
 
 
-def test_the_command_shows_size_and_terms_and_asks(root, server, capsys, monkeypatch):
-    assert main(["data", "fetch", "100style"]) == 2
-    printed = capsys.readouterr()
+def test_the_command_shows_size_and_terms_and_asks(root, server, command, monkeypatch):
+    printed = command("data fetch 100style", status=2)
     shown = rf"from +{server.url}\n +size .*\n +terms +CC BY 4.0.*\n +into +{root}\n"
     assert re.search(shown, printed.out)
     assert "error: nothing was fetched: without a terminal to ask on, --yes" in printed.err
@@ -368,11 +364,10 @@ def test_the_command_shows_size_and_terms_and_asks(root, server, capsys, monkeyp
         keyboard = io.StringIO(f"{answer}\n")
         keyboard.isatty = lambda: True
         monkeypatch.setattr(sys, "stdin", keyboard)
-        assert main(["data", "fetch", "100style"]) == code
+        said = command("data fetch 100style", status=code).out
         assert root.exists() == (answer == "y")
-    assert "(as published)" in capsys.readouterr().out
-    assert main(["data", "fetch", "100style"]) == 0
-    assert "is there already" in capsys.readouterr().out
+    assert "(as published)" in said
+    assert "is there already" in command("data fetch 100style").out
 
 
 def test_the_layouts_of_the_other_archives(shared, tmp_path, monkeypatch):
@@ -405,7 +400,7 @@ def test_the_layouts_of_the_other_archives(shared, tmp_path, monkeypatch):
     there = sorted(p.name for p in home.folder("bandai").rglob("*") if p.is_file())
     assert there == ["LICENSE", take.name, fetch.RECORD]
     archive.write_bytes(zipped(moves | {f"{part}/data/data/{take.name}": pointer}))
-    with pytest.raises(ValueError, match="expected HIERARCHY"):
+    with refusal("expected HIERARCHY"):
         fetch.fetch("bandai", tmp_path / "elsewhere", archive)
 
 
@@ -418,5 +413,5 @@ def test_without_anything_set_the_users_data_folder_is_the_home(monkeypatch, tmp
     assert home.folder("lpn-film-100style") == tmp_path / "mine" / "lpn_film_100style"
     assert not tk.published.available()
     said = r"lpn-film-100style: nothing at .*data fetch lpn-film-100style"
-    with pytest.raises(ValueError, match=said):
+    with refusal(said):
         tk.published.load()

@@ -3,6 +3,7 @@
 import damages
 import pytest
 import torch
+from refusal import refusal
 
 import toolkit as tk
 from experiments.defects import alarms, part, takes
@@ -111,7 +112,7 @@ def test_hands_pass_beside_the_thighs_of_those_who_limp(fast):
 def test_a_shot_is_rendered_first(fast):
     shot = tk.shots.Shot([(0.0, 0.0), (0.0, 2.0)], "Neutral")
     assert all(f.unit for f in defects(shot, fast))
-    with pytest.raises(ValueError, match="give the model and its bank"):
+    with refusal("give the model and its bank"):
         defects(shot)
 
 

@@ -8,6 +8,7 @@ import pytest
 import rigs
 import torch
 from posed_rigs import rig, with_twists
+from refusal import refusal
 
 import toolkit as tk
 from toolkit.cli.motion_files import dataset, show
@@ -30,7 +31,7 @@ def motions(tmp_path_factory) -> "dict[tuple[str, str], object]":
     place, found = tmp_path_factory.mktemp("motions"), {}
     for style in ("Neutral", "Zombie"):
         for word, gait in GAITS.items():
-            clip = tk.datasets.load("procedural", styles=[style], gaits=[gait], seconds=5.0)[0]
+            clip = tk.datasets.procedural.generate(style, gait, 5.0)
             found[style, word] = place / f"{style}_{word}_01.bvh"
             tk.bvh.save(clip, found[style, word])
     return found
@@ -63,7 +64,7 @@ def test_a_twist_bone_that_moves_the_limb_is_kept():
 
 def test_rigs_without_the_roles_are_refused(walk):
     bare = dataclasses.replace(walk.skeleton, roles={"hips": "Hips"})
-    with pytest.raises(ValueError, match="cannot find its left_shoulder, "):
+    with refusal("cannot find its left_shoulder, "):
         body_joints(bare)
 
 
@@ -120,7 +121,7 @@ def test_files_of_other_rigs_can_be_retargeted(tmp_path, motions, walk):
     with pytest.warns(UserWarning, match="1 file left out: Other_walk.bvh: other joints than most"):
         mixed = tk.datasets.load("folder", tmp_path)
     clips = [*mixed, other.replace(style="Other")]
-    with pytest.raises(ValueError, match="its joints differ") as error:
+    with refusal("its joints differ") as error:
         tk.features.build(clips)
     call = re.search(r"clips = (\[.* in clips\]), or", str(error.value))[1]
     alike = eval(call, {"toolkit": tk, "clips": clips})
@@ -139,17 +140,16 @@ def test_files_of_other_rigs_can_be_retargeted(tmp_path, motions, walk):
 def test_bad_tables_are_refused_in_a_line(tmp_path, motions, table, said):
     shutil.copy(next(iter(motions.values())), tmp_path / "a.bvh")
     (tmp_path / "labels.csv").write_text(table)
-    with pytest.raises(ValueError, match="labels") as error:
+    with refusal("labels") as error:
         folder.survey(tmp_path)
     assert said in str(error.value)
-    assert "\n" not in str(error.value)
 
 
 def test_a_folder_of_nothing_is_refused(tmp_path):
-    with pytest.raises(ValueError, match="no file can be used; expected recordings"):
+    with refusal("no file can be used; expected recordings"):
         folder.survey(tmp_path)
     (tmp_path / "a.bvh").write_text("nothing")
-    with pytest.raises(ValueError, match=r"no file can be used \(a.bvh: .*expected HIERARCHY"):
+    with refusal(r"no file can be used \(a.bvh: .*expected HIERARCHY"):
         folder.survey(tmp_path)
 
 
@@ -159,6 +159,6 @@ def test_a_folder_is_surveyed_and_read_by_the_verbs(tmp_path, motions, capsys):
     assert dataset(str(tmp_path), None) == ("folder", tmp_path)
     show(tmp_path)
     assert "4 files, 1,200 frames, 0.3 minutes; 28 body joints of 28" in capsys.readouterr().out
-    with pytest.raises(ValueError, match="is the folder to read; --root is for datasets with a na"):
+    with refusal("is the folder to read; --root is for datasets with a na"):
         dataset(str(tmp_path), tmp_path)
     assert tk.features.build(tk.datasets.load("folder", tmp_path)).styles == ["Neutral", "Zombie"]

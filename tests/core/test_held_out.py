@@ -1,10 +1,11 @@
 """Finished models on held-out motion: recordings that they follow, and fitted style vectors."""
 
-import dataclasses
 import json
+from dataclasses import asdict, replace
 
 import pytest
 import torch
+from refusal import refusal
 from test_training import QUICK, waves
 
 from experiments.seven_models import models
@@ -21,8 +22,8 @@ def test_the_rate_of_the_style_modulation_is_that_of_the_model():
 
 
 def test_a_training_ends_with_fitted_vectors_of_less_error_and_the_model_stays_the_same():
-    data, config = waves(), dataclasses.replace(QUICK, steps=40)
-    plain, fitted = (training.fit(data, dataclasses.replace(config, refit=n)) for n in (0, 30))
+    data, config = waves(), replace(QUICK, steps=40)
+    plain, fitted = (training.fit(data, replace(config, refit=n)) for n in (0, 30))
     assert fitted.table()[-1]["error"] < plain.table()[-1]["error"]
     train, _ = training.split(data, config.held_out, config.seed, tuple(data.styles))
     before = {name: value.clone() for name, value in plain.model.state_dict().items()}
@@ -44,7 +45,7 @@ def only(data, *names):
 
 @pytest.mark.parametrize("names", [("style0",), ("style0", "style1")])
 def test_a_fit_begins_with_steps_of_six_hundredths_of_the_deviation_between_styles(names, capsys):
-    data, run = only(waves(), *names), training.fit(waves(), dataclasses.replace(QUICK, steps=2))
+    data, run = only(waves(), *names), training.fit(waves(), replace(QUICK, steps=2))
     bank = run.bank.select(names)
     one = refit(run.model, bank, data, steps=1)
     quick = training.Config.quick()
@@ -55,11 +56,11 @@ def test_a_fit_begins_with_steps_of_six_hundredths_of_the_deviation_between_styl
     gone = (one.vectors - bank.vectors).abs().median()  # Adam's first step is as long as its rate
     assert float(gone) == pytest.approx(0.06 * apart, rel=1e-2)
     two = refit(run.model, bank, data, steps=2)  # the second step is half as long
-    assert float((two.vectors - bank.vectors).abs().max()) < 1.6 * 0.06 * apart
+    assert (two.vectors - bank.vectors).abs().max() < 1.6 * 0.06 * apart
 
 
 def test_a_bank_of_few_clips_takes_the_first_and_the_last():
-    data, run = waves(), training.fit(waves(), dataclasses.replace(QUICK, steps=2))
+    data, run = waves(), training.fit(waves(), replace(QUICK, steps=2))
     clips = data.clips["style1"]
     made = training.loss.make_bank(run.model, data, 2)["style1"]
     torch.testing.assert_close(made, run.model.style_vector(clips[[0, len(clips) - 1]], 1))
@@ -67,11 +68,11 @@ def test_a_bank_of_few_clips_takes_the_first_and_the_last():
 
 def test_vectors_are_fitted_by_default_but_not_of_older_files_nor_of_tables():
     assert training.Config().refit == training.Config.quick().refit == STEPS > 0
-    stored = json.loads(json.dumps(dataclasses.asdict(QUICK)))
+    stored = json.loads(json.dumps(asdict(QUICK)))
     older = {name: value for name, value in stored.items() if name != "refit"}
     assert training.Config.from_json(older).refit == 0
     data = waves()
-    table = training.fit(data, dataclasses.replace(QUICK, model="lpn-resad", steps=5, refit=3))
+    table = training.fit(data, replace(QUICK, model="lpn-resad", steps=5, refit=3))
     assert torch.equal(table.bank.vectors, training.make_bank(table.model, data).vectors)
-    with pytest.raises(ValueError, match="refit must not be negative, got -1"):
-        dataclasses.replace(QUICK, refit=-1)
+    with refusal("refit must not be negative, got -1"):
+        replace(QUICK, refit=-1)

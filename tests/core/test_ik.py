@@ -3,6 +3,7 @@ import math
 import pytest
 import torch
 from hypothesis import given, strategies as st
+from torch.testing import assert_close
 
 from toolkit.motion import contacts, forward_kinematics, ik, rotations as R
 from toolkit.motion.springs import spring
@@ -24,7 +25,7 @@ def test_two_bone_keeps_lengths_and_meets_what_it_can_reach(target, pole):
     assert float((ankle - knee).norm()) == pytest.approx(LOWER, abs=1e-6)
     distance = float((target - HIP).norm())
     if abs(UPPER - LOWER) + 0.01 < distance < 0.98 * (UPPER + LOWER):
-        torch.testing.assert_close(ankle, target, atol=1e-9, rtol=0)
+        assert_close(ankle, target, atol=1e-9, rtol=0)
 
 
 @given(st.floats(0.3, 0.86), st.floats(-0.6, 1.0), st.floats(-3.1, 3.1))
@@ -40,7 +41,7 @@ def test_a_knee_that_bends_backwards_is_mirrored_to_the_front(distance, swing, t
     ahead, were = ((place - HIP) @ front for place in (knee, before))
     assert float(ahead) > -1e-9
     if float(were) > 0:
-        torch.testing.assert_close(knee, before)
+        assert_close(knee, before)
 
 
 def test_the_knee_of_a_nearly_straight_leg_does_not_turn_about_it():
@@ -51,7 +52,7 @@ def test_the_knee_of_a_nearly_straight_leg_does_not_turn_about_it():
     left = torch.tensor([0.2, 0.0, 0.0]).double()
     knee, _ = ik.two_bone(HIP, HIP + bent, ankle, target, left=left)
     beside = R.normalize((knee - HIP)[:, [0, 2]])
-    assert float(beside[:, 1].min()) > 0.95
+    assert beside[:, 1].min() > 0.95
 
 
 def test_two_bone_takes_any_leading_shape_and_degenerate_input():
@@ -65,12 +66,12 @@ def test_two_bone_takes_any_leading_shape_and_degenerate_input():
     # where no direction is known, that of the limb is kept
     assert float((ankle - a)[0, 0] @ (c - a)[0, 0]) > 0
     lengths = (knee - a).norm(dim=-1)
-    torch.testing.assert_close(lengths, torch.full((2, 5), UPPER), atol=1e-5, rtol=0)
+    assert_close(lengths, torch.full((2, 5), UPPER), atol=1e-5, rtol=0)
 
 
 def test_a_limb_whose_end_stays_where_it_is_does_not_move():
     knee, ankle = ik.two_bone(HIP, KNEE, ANKLE, ANKLE, soft=0.0)
-    torch.testing.assert_close((knee, ankle), (KNEE, ANKLE))
+    assert_close((knee, ankle), (KNEE, ANKLE))
 
 
 @pytest.mark.parametrize("distance", [0.02, 0.7, 0.85, 0.868, 1.4])
@@ -89,8 +90,8 @@ def test_two_bone_against_bisection(distance):
         fits = float((HIP + reached * line - middle).norm()) < LOWER
         low, high = (angle, high) if fits else (low, angle)
     knee, ankle = ik.two_bone(HIP, KNEE, ANKLE, HIP + distance * line, 3 * FORWARD, soft=soft)
-    torch.testing.assert_close(ankle, HIP + reached * line, atol=1e-5, rtol=0)
-    torch.testing.assert_close(knee, middle, atol=1e-3 if reached > 0.84 else 1e-7, rtol=0)
+    assert_close(ankle, HIP + reached * line, atol=1e-5, rtol=0)
+    assert_close(knee, middle, atol=1e-3 if reached > 0.84 else 1e-7, rtol=0)
 
 
 def held_slowly(toe, drift, before, predicted, raised, other, bears, was, contact, inwards, both,
@@ -140,8 +141,8 @@ def test_every_toe_of_a_crowd_is_held_as_in_a_slow_loop():
             inwards = sign * torch.stack((left[c, 0], 0 * left[c, 0], left[c, 1]))
             now = float(was[c, 1 - foot]), float(was[c, foot]), float(contacts[c, foot])
             toe, speed = held_slowly(*own, predicted[c, 1 - foot], *now, inwards, c % 3 == 0, 0.02)
-            torch.testing.assert_close(found[c, foot], toe, atol=1e-12, rtol=0)
-            torch.testing.assert_close(speeds[c, foot], speed, atol=1e-9, rtol=0)
+            assert_close(found[c, foot], toe, atol=1e-12, rtol=0)
+            assert_close(speeds[c, foot], speed, atol=1e-9, rtol=0)
 
 
 def sunk_slowly(drop, speed, legs, seconds):
@@ -243,16 +244,16 @@ def test_planted_toes_meet_their_targets_and_nothing_but_the_legs_moves(poses):
     planted = ik.plant_feet(skeleton, rotations, root, toes)
     assert planted.shape == rotations.shape
     turned_now, now = forward_kinematics(skeleton, planted, root)
-    torch.testing.assert_close(now[..., joints_of(skeleton, "toe"), :], toes, atol=1e-9, rtol=0)
+    assert_close(now[..., joints_of(skeleton, "toe"), :], toes, atol=1e-9, rtol=0)
     ends, legs = ends_of(skeleton), joints_of(skeleton, "hip", "knee")
-    assert float(angles(planted[..., ends, :], STILL).max()) < 1e-7
+    assert angles(planted[..., ends, :], STILL).max() < 1e-7
     others = [j for j in range(len(skeleton)) if j not in (*ends, *legs)]
     # The feet keep their orientation.
-    assert float(angles(turned, turned_now)[..., others].max()) < 1e-7
-    assert float(angles(turned, turned_now)[..., legs].min()) > 0.05
+    assert angles(turned, turned_now)[..., others].max() < 1e-7
+    assert angles(turned, turned_now)[..., legs].min() > 0.05
     below = joints_of(skeleton, "knee", "foot", "toe")
     above = [j for j in others if j not in below and skeleton.parents[j] not in below]
-    torch.testing.assert_close(now[..., above, :], places[..., above, :], atol=1e-12, rtol=0)
+    assert_close(now[..., above, :], places[..., above, :], atol=1e-12, rtol=0)
 
 
 @pytest.mark.parametrize("shift", [(0.0, 0.0, 0.15), (-0.1, 0.05, 0.1)])
@@ -269,7 +270,7 @@ def test_a_nearly_straight_leg_keeps_its_knee_forwards(walk_clip, shift):
                        for part in ("hip", "knee", "foot"))
     line = R.normalize(foot - hip)
     bend = (knee - hip) - ((knee - hip) * line).sum(-1, keepdim=True) * line
-    assert float((bend[..., 2] / bend.norm(dim=-1)).min()) > 0.7
+    assert (bend[..., 2] / bend.norm(dim=-1)).min() > 0.7
 
 
 def arms_of(skeleton) -> list[int]:
@@ -294,17 +295,17 @@ def test_turned_arms_reach_predicted_positions_of_their_own_bones(poses):
     read = {j for j in range(len(skeleton)) if skeleton.parents[j] in arms}
     unread = [j for j in range(len(skeleton)) if j not in read]
     before = forward_kinematics(*poses)[1]
-    assert float((wanted - before)[..., sorted(read), :].norm(dim=-1).mean()) > 0.1
+    assert (wanted - before)[..., sorted(read), :].norm(dim=-1).mean() > 0.1
     expected, predicted = wanted.clone(), wanted.clone()
     predicted[..., unread, :] = float("nan")
     turned = ik.turn_arms(skeleton, rotations, root, predicted)
     now = forward_kinematics(skeleton, turned, root)[1]
-    torch.testing.assert_close(now, expected, atol=1e-9, rtol=0)
-    assert float(angles(turned[..., ends, :], STILL).max()) < 1e-7
+    assert_close(now, expected, atol=1e-9, rtol=0)
+    assert angles(turned[..., ends, :], STILL).max() < 1e-7
     others = [j for j in range(len(skeleton)) if j not in (*arms, *ends)]
-    assert float(angles(rotations, turned)[..., others].max()) < 1e-7
+    assert angles(rotations, turned)[..., others].max() < 1e-7
     # Arms that are there stay.
-    assert float(angles(turned, ik.turn_arms(skeleton, turned, root, predicted)).max()) < 1e-6
+    assert angles(turned, ik.turn_arms(skeleton, turned, root, predicted)).max() < 1e-6
 
 
 def test_a_hand_without_an_end_site_keeps_its_orientation(walk_clip):
@@ -313,6 +314,6 @@ def test_a_hand_without_an_end_site_keeps_its_orientation(walk_clip):
     wanted = waved(skeleton, rotations, root)
     made = ik.turn_arms(skeleton, rotations, root, wanted)
     turned, places = forward_kinematics(skeleton, made, root)
-    torch.testing.assert_close(places, wanted, atol=1e-5, rtol=0)
+    assert_close(places, wanted, atol=1e-5, rtol=0)
     hands = joints_of(skeleton, "hand")
-    assert float(angles(turned, clip.global_rotations)[..., hands].max()) < 1e-3
+    assert angles(turned, clip.global_rotations)[..., hands].max() < 1e-3

@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 import torch
 from hypothesis import given, strategies as st
+from refusal import refusal
 from strategies import clips, human, human_clip, quaternions, seeds
+from torch.testing import assert_close
 
 import toolkit as tk
 from toolkit.motion import (
@@ -38,7 +40,7 @@ def test_forward_kinematics_against_plain_matrices_and_back(clip):
         np.testing.assert_allclose(found, np.stack(worlds)[:, :3], atol=1e-4)
     rotations, _ = forward_kinematics(skeleton, clip.rotations, clip.root_positions)
     back = local_rotations(skeleton, rotations)
-    torch.testing.assert_close(back, clip.rotations, atol=1e-5, rtol=0)
+    assert_close(back, clip.rotations, atol=1e-5, rtol=0)
 
 
 def test_forward_kinematics_of_any_leading_shape_and_its_gradient():
@@ -47,7 +49,7 @@ def test_forward_kinematics_of_any_leading_shape_and_its_gradient():
     turned, positions = forward_kinematics(skeleton, q, root)
     for i, j in itertools.product(range(2), range(3)):
         one = forward_kinematics(skeleton, q[i, j], root[i, j])
-        torch.testing.assert_close((turned[i, j], positions[i, j]), one)
+        assert_close((turned[i, j], positions[i, j]), one)
     q, root = q[0, :1].requires_grad_(), root[0, :1].requires_grad_()
     assert torch.autograd.gradcheck(lambda *x: forward_kinematics(skeleton, *x), (q, root))
 
@@ -61,14 +63,14 @@ def test_a_skeleton_that_inference_mode_used_first_can_be_differentiated():
     turned, positions = forward_kinematics(skeleton, q, torch.zeros(2, 3))
     across = R.rotate(turned, skeleton.facing_axis) * (positions - skeleton.rest_positions)
     across.sum().backward()
-    assert bool(q.grad.isfinite().all())
+    assert q.grad.isfinite().all()
 
 
 @given(seeds)
 def test_mirror_reflects_every_point(seed):
     clip = human_clip(seed)
     reflected = (clip.global_positions * MIRROR)[:, list(clip.skeleton.mirror_pairs)]
-    torch.testing.assert_close(clip.mirrored().global_positions, reflected, atol=1e-5, rtol=0)
+    assert_close(clip.mirrored().global_positions, reflected, atol=1e-5, rtol=0)
 
 
 def test_resample_follows_the_motion_between_frames():
@@ -83,7 +85,7 @@ def test_resample_follows_the_motion_between_frames():
     slow, fast = swing(30.0).resample(60.0), swing(60.0)
     n = len(slow)
     assert n == 119
-    torch.testing.assert_close(slow.global_positions, fast.global_positions[:n], atol=1e-3, rtol=0)
+    assert_close(slow.global_positions, fast.global_positions[:n], atol=1e-3, rtol=0)
     assert slow.seconds == pytest.approx(2.0, abs=0.05)
 
 
@@ -92,15 +94,15 @@ def test_moving_the_clip_moves_the_points(seed, turn, shift):
     clip = human_clip(seed)
     expected = R.rotate(R.yaw(torch.tensor(turn)), clip.global_positions) + torch.tensor(shift)
     moved = clip.moved(turn, shift)
-    torch.testing.assert_close(moved.global_positions, expected, atol=1e-4, rtol=0)
+    assert_close(moved.global_positions, expected, atol=1e-4, rtol=0)
     local, same = (root_frames(c).to_local(c.global_positions)[..., [0, 2]] for c in (clip, moved))
-    torch.testing.assert_close(local, same, atol=1e-4, rtol=0)
+    assert_close(local, same, atol=1e-4, rtol=0)
 
 
 def test_root_frames_face_where_the_body_faces():
     clip = human_clip(1, bend=0.0).moved(turn=0.8)
     frames = root_frames(clip)
-    torch.testing.assert_close(frames.rotations, R.yaw(torch.tensor(0.8)).expand(len(clip), 4))
+    assert_close(frames.rotations, R.yaw(torch.tensor(0.8)).expand(len(clip), 4))
     left = frames.to_local(clip.global_positions)[:, clip.skeleton.index("left_hand"), 0]
     assert (left > 0.5).all()
     assert (frames.positions[:, 1] == 0).all()
@@ -108,10 +110,10 @@ def test_root_frames_face_where_the_body_faces():
 
 def test_cut_keeps_the_frames_and_clamps_the_end():
     clip = human_clip(2, frames=10)
-    torch.testing.assert_close(clip.cut(3, 99).root_positions, clip.root_positions[3:])
+    assert_close(clip.cut(3, 99).root_positions, clip.root_positions[3:])
     assert len(clip.cut(3, 7)) == 4
     for start, stop in ((7, 7), (10, 12), (-1, 4)):
-        with pytest.raises(ValueError, match=f"cannot cut frames {start}"):
+        with refusal(f"cannot cut frames {start}"):
             clip.cut(start, stop)
 
 
@@ -121,7 +123,7 @@ def test_roles_and_names():
     assert skeleton.roles["right_knee"] == "RightKnee"
     assert skeleton.names[skeleton.mirror_pairs[skeleton.index("LeftToe")]] == "RightToe"
     assert {*range(len(skeleton))} - {*skeleton.feature_joints} == {skeleton.index("HeadEnd")}
-    with pytest.raises(ValueError, match=r"no joint has the role 'Hips'.*Hips, Chest"):
+    with refusal(r"no joint has the role 'Hips'.*Hips, Chest"):
         skeleton.role("Hips")
 
 
@@ -146,7 +148,7 @@ def test_end_sites_are_leaves_that_are_named_or_called_so():
     assert Skeleton(**skeleton.to_dict()).ends == ("bEnd",)
     assert tk.features.Layout(human()) != tk.features.Layout(dataclasses.replace(human(), ends=()))
     leaves = "End Sites must be leaves of the tree; these are not: b, d"
-    with pytest.raises(ValueError, match=leaves):
+    with refusal(leaves):
         Skeleton(*tree, ends=("b", "bEnd", "d"))
 
 
@@ -185,7 +187,7 @@ def test_names_that_are_roles_of_other_joints_change_nothing(walk_clip):
     ("", (), "root must come first"),
 ])
 def test_bad_skeleton(names, parents, match):
-    with pytest.raises(ValueError, match=match):
+    with refusal(match):
         Skeleton(tuple(names), parents, torch.zeros(len(names), 3))
 
 
@@ -208,14 +210,14 @@ def test_bad_clip():
         (nothing, p, 30, "length 1; in frame 3 that of Hips has length 0"),
         (q, p, math.inf, "frames per second"),
     ):
-        with pytest.raises(ValueError, match=match):
+        with refusal(match):
             Clip(skeleton, rotations, positions, fps)
     for fps in (0.0, math.nan):
-        with pytest.raises(ValueError, match="cannot resample"):
+        with refusal("cannot resample"):
             Clip(skeleton, q, p, 30).resample(fps)
 
 
 def test_a_joint_that_is_not_there_cannot_be_mirrored_about():
     skeleton = Skeleton(("a", "b"), (-1, 0), torch.zeros(2, 3))
-    with pytest.raises(ValueError, match="no joint has the role 'left_hip'"):
+    with refusal("no joint has the role 'left_hip'"):
         Clip(skeleton, quaternions(0, 3, 2), torch.zeros(3, 3), 30).mirrored()

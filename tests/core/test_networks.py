@@ -3,8 +3,10 @@ import json
 
 import pytest
 import torch
+from refusal import refusal
 from safetensors.torch import load_file, save_file
 from torch.nn import functional
+from torch.testing import assert_close
 
 from toolkit import networks
 from toolkit.features import Layout, Normaliser
@@ -64,7 +66,7 @@ def test_blended_layer_equals_blending_every_samples_weights():
     for n in range(4):
         weight = sum(gates[n, k] * layer.weight[k] for k in range(5))
         bias = sum(gates[n, k] * layer.bias[k] for k in range(5))
-        torch.testing.assert_close(got[n], x[n] @ weight + bias, rtol=1e-12, atol=1e-12)
+        assert_close(got[n], x[n] @ weight + bias, rtol=1e-12, atol=1e-12)
 
 
 @pytest.mark.parametrize("layer", [0, 1])
@@ -75,7 +77,7 @@ def test_film_equation(layer):
     for n in range(3):
         gamma, beta = style[n].view(2, 2, 16)[layer]
         a = gamma * (f[n] - f[n].mean()) / (f[n].std(correction=1) + 1e-6) + beta
-        torch.testing.assert_close(got[n], functional.elu(a), rtol=1e-12, atol=1e-14)
+        assert_close(got[n], functional.elu(a), rtol=1e-12, atol=1e-14)
 
 
 def test_generator_is_two_pooled_convolutions_and_two_dense_layers():
@@ -89,7 +91,7 @@ def test_generator_is_two_pooled_convolutions_and_two_dense_layers():
     h = h[0].T.flatten()  # time-major
     h = (psi.dense.weight @ h + psi.dense.bias).relu()
     expected = psi.out.weight @ h + psi.out.bias
-    torch.testing.assert_close(psi(clip)[0], expected, rtol=1e-11, atol=1e-13)
+    assert_close(psi(clip)[0], expected, rtol=1e-11, atol=1e-13)
 
 
 def test_dropout_acts_on_every_layers_input_only_in_training():
@@ -110,7 +112,7 @@ def test_style_vector_is_the_mean_over_clips():
     clips = torch.randn(40, 240, model.layout.n_clip)
     each = torch.stack([model.style_vector(clips[i : i + 1]) for i in range(40)])
     mean = model.style_vector(clips)
-    torch.testing.assert_close(mean, each.mean(0), rtol=1e-4, atol=1e-5)
+    assert_close(mean, each.mean(0), rtol=1e-4, atol=1e-5)
     assert torch.equal(model.train().style_vector(clips), mean)
 
 
@@ -124,9 +126,9 @@ def test_tables_are_looked_up_by_number(name):
     several = model.encode(torch.zeros(5, 240, 48), torch.tensor([1, 0, 1]))
     assert torch.equal(several, rows[[1, 0, 1]])
     assert torch.equal(model.style_vector(torch.zeros(5, 240, 48), 0), rows[0])
-    with pytest.raises(ValueError, match=r"has styles 0 to 1, got \[2\]"):
+    with refusal(r"has styles 0 to 1, got \[2\]"):
         model.encode(None, 2)
-    with pytest.raises(ValueError, match="has a table of 2 styles"):
+    with refusal("has a table of 2 styles"):
         model.encode(torch.zeros(1, 240, 48))
 
 
@@ -144,7 +146,7 @@ def test_layouts_of_other_phases():
     old = layout.to_json()
     del old["phase"]
     assert Layout.from_json(old) == layout
-    with pytest.raises(ValueError, match="is one of local, global, none; got 'lokal'"):
+    with refusal("is one of local, global, none; got 'lokal'"):
         Layout(layout.skeleton, "lokal")
 
 
@@ -166,14 +168,14 @@ def test_velocities_of_hands_and_feet_are_what_mann_looks_at():
 def test_wrong_widths_clips_sizes_names_and_normalisers():
     model = tiny_model()
     for what, widths in (("x", (9, 8, 64)), ("phases", (96, 7, 64)), ("style", (96, 8, 63))):
-        with pytest.raises(ValueError, match=rf"{what} needs \d+ columns, got shape"):
+        with refusal(rf"{what} needs \d+ columns, got shape"):
             model.predict(*(torch.zeros(2, width) for width in widths))
-    with pytest.raises(ValueError, match=r"\[M, 240, 48\], got \[1, 100, 48\]"):
+    with refusal(r"\[M, 240, 48\], got \[1, 100, 48\]"):
         model.style_vector(torch.zeros(1, 100, 48))
-    with pytest.raises(ValueError, match="hidden must be a whole number from 1, got 0"):
+    with refusal("hidden must be a whole number from 1, got 0"):
         Sizes(hidden=0)
     wrong = Normaliser(torch.zeros(3), torch.ones(3))
-    with pytest.raises(ValueError, match="normaliser of phases needs 8 columns"):
+    with refusal("normaliser of phases needs 8 columns"):
         networks.build("lpn-film", tree(4), 2, TINY, {"phases": wrong})
 
 
@@ -200,10 +202,9 @@ def test_bad_model_files_are_one_line(tmp_path):
     store(model, path)
 
     def fails(match: str) -> None:
-        with pytest.raises(ValueError, match=match) as error:
+        with refusal(match) as error:
             load(path)
         assert str(path) in str(error.value)
-        assert "\n" not in str(error.value)
 
     tensors = load_file(path)
     good = {"format": json.dumps("x"), "model": json.dumps(model.parts()[1])}
@@ -228,8 +229,8 @@ def test_each_model_predicts_learns_and_is_stored(name, tmp_path):
     got = model.predict(x, p, s)
     normal = (x - model.inputs_mean) / model.inputs_std, (p - model.phases_mean) / model.phases_std
     right = model(*normal, s[None]) * model.outputs_std + model.outputs_mean
-    torch.testing.assert_close(got, right)
-    torch.testing.assert_close(model.predict(x[:1], p[:1], s), got[:1], rtol=1e-4, atol=1e-5)
+    assert_close(got, right)
+    assert_close(model.predict(x[:1], p[:1], s), got[:1], rtol=1e-4, atol=1e-5)
     assert not got.requires_grad
     assert torch.equal(model.train().predict(x, p, s), got)
     assert model.training
@@ -261,7 +262,7 @@ def test_each_model_predicts_learns_and_is_stored(name, tmp_path):
     slim = load(tmp_path / "slim.safetensors")
     assert torch.equal(slim.predict(x, p, s), model.predict(x, p, s))
     missing = "FiLM generator" if name.endswith("film") else "table of styles"
-    with pytest.raises(ValueError, match=f"stored without its {missing}"):
+    with refusal(f"stored without its {missing}"):
         slim.style_vector(clips, 0)
 
 
@@ -275,19 +276,18 @@ def test_a_calibrated_model_computes_the_mean_over_dropout():
     with torch.no_grad():
         f = layer(functional.dropout(x.expand(n, -1), 0.3), gates.expand(n, -1))
         variance = q * layer.scatter(x, gates)
-        torch.testing.assert_close(f.var(0), variance[0], rtol=0.05, atol=0)
+        assert_close(f.var(0), variance[0], rtol=0.05, atol=0)
         mean = layer(x, gates)
         gamma, beta = style[:6], style[6:12]
         scale = (mean.var(-1) + variance.mean(-1)).sqrt() + 1e-6
         normal = mean + torch.randn(n, 6) * variance.sqrt()
         slow = functional.elu(gamma * (normal - mean.mean()) / scale + beta).mean(0)
-        torch.testing.assert_close(film.expected(0, mean, style, variance)[0], slow, rtol=0.05,
-                                   atol=0.02)
+        assert_close(film.expected(0, mean, style, variance)[0], slow, rtol=0.05, atol=0.02)
     model = tiny_model()
     x, p, s = something(model)
     plain = model.predict(x, p, s)
     model.calibrated = True
-    assert float((model.predict(x, p, s) - plain).abs().max()) > 1e-3
+    assert (model.predict(x, p, s) - plain).abs().max() > 1e-3
     description = model.parts()[1]
     assert description["calibrated"]
     assert networks.Model.from_parts("m", model.parts()[0], {"model": description}).calibrated
@@ -300,5 +300,5 @@ def test_weights_start_in_their_ranges_and_gates_are_a_convex_blend():
         share = float(part.weight.detach().abs().max()) / (6 / size) ** 0.5
         assert (0.98 if part is layer else 0.9) < share <= 1
     gates = gating(torch.randn(100, 8))
-    assert bool((gates >= 0).all())
-    torch.testing.assert_close(gates.sum(-1), torch.ones(100))
+    assert (gates >= 0).all()
+    assert_close(gates.sum(-1), torch.ones(100))

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 import torch
+from refusal import refusal
 
 import toolkit as tk
 from toolkit import registry
-from toolkit.__main__ import main
 from toolkit.networks import Sizes
 from toolkit.training import Config
 
@@ -35,7 +35,7 @@ def test_it_learns_walks_and_blends(run):
         assert row["error"] < 0.8 * row["mean"]
     half = bank.blend({"Neutral": 0.5, "Zombie": 0.5})
     clip = tk.runtime.rollout(model, tk.runtime.straight(1.0, 1.0), half)
-    assert bool(clip.global_positions.isfinite().all())
+    assert clip.global_positions.isfinite().all()
     together, alone = ([*tk.runtime.states(model, tk.runtime.straight(1.0, 0.1), style)][-1]
                        for style in (bank.vectors, bank["Zombie"]))
     torch.testing.assert_close(together.joints[1:], alone.joints, atol=1e-3, rtol=1e-3)
@@ -53,15 +53,13 @@ def test_its_file_names_the_module_and_runs_no_code(run, tmp_path, monkeypatch):
     clips = torch.randn(2, 240, run.model.layout.n_clip)
     assert torch.equal(again.model.style_vector(clips, 1), run.model.style_vector(clips, 1))
     monkeypatch.delitem(registry._found, f"model.{run.model.name}")
-    with pytest.raises(ValueError, match="import the module that registers it, 'own', before") as e:
+    with refusal("import the module that registers it, 'own', before"):
         tk.training.load(path)
-    assert "\n" not in str(e.value)
 
 
 @pytest.fixture(scope="module")
 def penguin():
-    clips = tk.datasets.load("procedural", styles=["Penguin"], gaits=["FW"], seconds=8.0)
-    return tk.features.build(clips)
+    return tk.features.build(tk.datasets.procedural.generate("Penguin"))
 
 
 def test_a_style_is_added_to_it(run, penguin, monkeypatch):
@@ -78,31 +76,29 @@ def test_gradients_go_through_frames_that_are_fed_back(run):
     for command in tk.runtime.straight(1.0, 0.1):
         state = tk.runtime.step(run.model, state, command)
     (gradient,) = torch.autograd.grad(state.joints.square().sum(), style)
-    assert bool(gradient.isfinite().all())
-    assert float(gradient.abs().max()) > 0
+    assert gradient.isfinite().all()
+    assert gradient.abs().max() > 0
     assert not tk.runtime.start(run.model, run.bank["Zombie"]).joints.requires_grad
 
 
 def test_the_command_line_trains_a_model_of_ones_own_and_walks_with_it(
-        tmp_path, monkeypatch, capsys):
+        tmp_path, monkeypatch, command):
     folder = tmp_path / "my files"
     folder.mkdir()
     (folder / "my_gru.py").write_bytes((EXAMPLES / "gru.py").read_bytes())
     monkeypatch.setattr(sys, "path", sys.path.copy())
     monkeypatch.chdir(tmp_path)
-    words = ["train", "--data", "procedural", "--styles", "Neutral", "--gaits", "FW",
-             "--clip-seconds", "12", "--small", "--epochs", "0.5", "--refit", "0", "--out", "g.st"]
-    assert main([*words, "--model", "my files/none.py:gru"]) == 2
-    assert "there is no file my files/none.py" in capsys.readouterr().err
-    assert main([*words, "--model", "my files/my_gru.py:gru"]) == 0
+    train = ("train --data procedural --styles Neutral --gaits FW --clip-seconds 12 --small "
+             "--epochs 0.5 --refit 0 --out g.st --model")
+    said = command(train, "my files/none.py:gru", status=2).err
+    assert "there is no file my files/none.py" in said
+    command(train, "my files/my_gru.py:gru")
     monkeypatch.delitem(registry._found, "model.gru")
-    walk = ["rollout", "--style", "Neutral", "--seconds", "0.1", "--out", "walk.bvh", "--model"]
-    assert main([*walk, "g.st"]) == 2
-    assert "name it before the file: my_gru:g.st" in capsys.readouterr().err
+    walk = "rollout --style Neutral --seconds 0.1 --out walk.bvh --model"
+    assert "name it before the file: my_gru:g.st" in command(walk, "g.st", status=2).err
     (tmp_path / "no:model.st").touch()  # a file whose name has a colon is no module
-    assert main([*walk, "no:model.st"]) == 2
-    assert "no:model.st" in capsys.readouterr().err
+    assert "no:model.st" in command(walk, "no:model.st", status=2).err
     monkeypatch.delitem(sys.modules, "my_gru")
-    assert main([*walk, "my_gru:g.st"]) == 0  # the folder is known by now
+    command(walk, "my_gru:g.st")  # the folder is known by now
     monkeypatch.delitem(registry._found, "model.gru")
     monkeypatch.delitem(sys.modules, "my_gru")

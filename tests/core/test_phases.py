@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import torch
 from course.labels import measure
+from refusal import refusal
 
 import toolkit as tk
 from experiments import phases as bench
@@ -38,10 +39,10 @@ def test_feet_take_contacts_and_hands_do_not(walk_clip):
     assert torch.equal(free.vector[:, :2], both.vector[:, :2])
     # a fitted sinusoid and the steps themselves agree in a regular walk
     error, lag = tk.metrics.phase_error(contact.phase[60:-60, 2:], both.phase[60:-60, 2:])
-    assert float(error.max()) < math.radians(4)
-    assert float(lag.abs().max()) < math.radians(6)
+    assert error.max() < math.radians(4)
+    assert lag.abs().max() < math.radians(6)
     feet = both.phase[60:-60, 2] - both.phase[60:-60, 3]
-    assert float((feet - math.pi).cos().mean()) > 0.9  # half a cycle apart
+    assert (feet - math.pi).cos().mean() > 0.9  # half a cycle apart
 
 
 def test_contact_free_is_the_longest_axis_of_all_clips_and_points_forward(walk_clip):
@@ -61,7 +62,7 @@ def test_contact_free_is_the_longest_axis_of_all_clips_and_points_forward(walk_c
                 assert torch.equal(hybrid(clip, limb), fitted(clip, limb))
         alone = source(clips[0], limb)
         assert torch.equal(alone, source.fitted(clips[:1])(clips[0], limb))
-        assert float((alone - fitted(clips[0], limb)).abs().max()) > 1e-3
+        assert (alone - fitted(clips[0], limb)).abs().max() > 1e-3
     assert source.axes == source.means == {}
 
 
@@ -71,7 +72,7 @@ def test_contact_free_is_the_longest_axis_of_all_clips_and_points_forward(walk_c
     (lambda clip, limb: torch.full((len(clip),), math.nan), "one finite number per frame"),
 ])
 def test_bad_sources_are_refused(walk_clip, source, message):
-    with pytest.raises(ValueError, match=message):
+    with refusal(message):
         tk.phases.extract(walk_clip, source=source)
 
 
@@ -85,7 +86,7 @@ def test_a_second_is_the_shortest_clip(fps):
     least = clip.cut(0, 2 * half + 1)
     assert len(tk.phases.extract(least, "contact-free").phase) == 2 * half + 1
     said = rf"^brief: {2 * half} frames are too few .* need {2 * half + 1} .* at {fps:g} Hz"
-    with pytest.raises(ValueError, match=said):
+    with refusal(said):
         tk.phases.extract(clip.cut(0, 2 * half), "contact-free")
 
 
@@ -110,7 +111,7 @@ def test_fields_are_what_they_say(walk_clip):
         expected = torch.stack((sine, cosine), 1) * (size / torch.hypot(sine, cosine))[:, None]
         assert torch.allclose(ph.vector[:, i].double(), expected, atol=1e-5)
         assert apart(ph.phase[:, i].double(), torch.atan2(sine, cosine)) < 1e-5
-    assert 0 <= float(ph.phase.min()) < float(ph.phase.max()) <= TURN
+    assert 0 <= ph.phase.min() < ph.phase.max() <= TURN
 
 
 class Some:
@@ -178,7 +179,7 @@ def test_phase_error_forgives_a_constant_lag_and_nothing_else():
     found = truth + torch.tensor([0.0, 3.0, 0.0])
     found[:, 2] = 7.0  # stuck
     error, lag = tk.metrics.phase_error(found % TURN, truth)
-    assert float(error[:2].max()) < 1e-9
+    assert error[:2].max() < 1e-9
     assert float(lag[1]) == pytest.approx(3.0)
     assert float(error[2]) == pytest.approx(math.pi / 2, rel=0.05)
 
@@ -219,7 +220,7 @@ def test_smoothing_halves_four_hertz_and_shifts_nothing(fps):
     gain = 1 / (1 + (torch.tan(math.pi * rates / fps) / math.tan(math.pi * 4 / fps)) ** 4)
     wave = torch.sin(TURN * rates * t + 0.3)
     inner = slice(round(2 * fps), -round(2 * fps))
-    assert float((smooth(wave, fps) - gain * wave)[inner].abs().max()) < 1e-4
+    assert (smooth(wave, fps) - gain * wave)[inner].abs().max() < 1e-4
     assert float(gain[2]) == pytest.approx(0.5)
 
 
@@ -274,6 +275,6 @@ def test_regression_is_that_of_least_squares_in_each_window():
     amplitude, offset, residual = windows.regression(2 - wave.sin(), wave.sin(), 0.5, FPS)
     assert float(amplitude.abs().max()) == 0
     assert torch.allclose(offset, windows.mean(2 - wave.sin(), 0.5, FPS))
-    assert float(residual.min()) > 0
+    assert residual.min() > 0
     still_wave = windows.regression(wave, torch.zeros_like(wave), 0.5, FPS)
     assert all(bool(column.isfinite().all()) for column in still_wave)

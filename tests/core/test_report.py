@@ -3,6 +3,7 @@
 import damages
 import pytest
 import torch
+from refusal import refusal
 
 import toolkit as tk
 from toolkit.evaluation import recognition, report, table
@@ -11,7 +12,7 @@ STYLES = ("Neutral", "Zombie", "Strut")
 
 
 def walks(seed):
-    return tk.datasets.load("procedural", styles=STYLES, gaits=["FW"], seconds=6.0, seed=seed)
+    return tk.datasets.procedural.load(STYLES, "FW", 6.0, seed)
 
 
 @pytest.fixture(scope="module")
@@ -79,9 +80,9 @@ def test_arrays_are_measured_beside_clips_and_their_bones_may_stretch(real, judg
     paired = report(arrays, clips, judge).rows[0]
     assert paired["global-position"] == pytest.approx(0.0, abs=1e-6)
     assert paired["geodesic"] != paired["geodesic"] != paired["fmd"]
-    with pytest.raises(ValueError, match="need real clips"):
+    with refusal("need real clips"):
         report(arrays)
-    with pytest.raises(ValueError, match=r"expected joints \[F, 28, 3\], got \[360, 2, 3\]"):
+    with refusal(r"expected joints \[F, 28, 3\], got \[360, 2, 3\]"):
         report(arrays[0][:, :2], clips)
 
 

@@ -7,7 +7,6 @@ from course import leaks
 
 import toolkit as tk
 from toolkit import features
-from toolkit.__main__ import main
 from toolkit.datasets import blocks, style100
 
 GAITS = {"BR": (100, 4300), "FW": (250, 7600), "SR": (80, 1180), "ID": (30, 500)}
@@ -31,11 +30,11 @@ def tables(tmp_path_factory):
     return folder
 
 
-def test_100style_is_split_from_its_tables_alone(tables, tmp_path):
+def test_100style_is_split_from_its_tables_alone(tables, tmp_path, command):
     split, path = tk.datasets.split("100style", root=tables), tmp_path / "split.json"
     assert leaks.find(split) == []
     assert split.gap >= features.CLIP_FRAMES > 60 + 61  # frames that a window reaches
-    assert main(["data", "split", "100style", "--root", str(tables), "--out", str(path)]) == 0
+    command(f"data split 100style --root {tables} --out {path}")
     assert json.loads(path.read_text()) == split.to_json()
     styles = [{block.style for block in getattr(split, part)} for part in blocks.PARTS]
     assert styles[0] == styles[1] == styles[2] - set(style100.HELD_OUT)

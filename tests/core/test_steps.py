@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import torch
 from course import labels
+from refusal import refusal
 
 import toolkit as tk
 from toolkit.datasets import procedural
@@ -30,7 +31,7 @@ def test_in_a_regular_walk_the_angle_is_a_clock_from_one_stance_to_the_next():
     assert torch.allclose(signal.abs(), torch.ones(77, dtype=torch.float64))
     at = torch.arange(77, dtype=torch.float64) - 18.5  # from the middle of the first stance
     clock = torch.exp(2j * math.pi * at / 20)
-    assert float((signal - clock).abs().max()) < 1e-9
+    assert (signal - clock).abs().max() < 1e-9
 
 
 @pytest.mark.parametrize("first", [0.0, 1.0])
@@ -89,7 +90,7 @@ def test_stances_are_the_true_ones_on_any_floor_in_noise_and_while_sliding(style
         assert found.dtype == clip.rotations.dtype
         found, true = found[30:-30], known.contacts[30:-30]
         f1 = 2 * (found * true).sum(0) / (found + true).sum(0)
-        assert float(f1.min()) > 0.91, what
+        assert f1.min() > 0.91, what
         starts = (x.diff(dim=0).gt(0).sum(0) for x in (found, true))
         assert torch.equal(*starts), what
 
@@ -104,9 +105,9 @@ def test_stances_do_not_depend_on_the_unit_the_place_or_the_side(walk_clip):
     assert torch.equal(Steps()(moved, "right_foot"), right)
     assert torch.equal(Steps()(walk_clip.mirrored(), "left_foot"), right)
     assert float(Steps()(walk_clip, "left_hand").abs().max()) == 0
-    assert float(Steps()(walk_clip.cut(0, 1), "left_foot").abs().max()) <= 1
+    assert Steps()(walk_clip.cut(0, 1), "left_foot").abs().max() <= 1
     slow = Steps()(walk_clip.resample(12), "right_foot")  # no filter is shorter than a frame
-    assert float((slow - right[::5][: len(slow)]).abs().mean()) < 0.1
+    assert (slow - right[::5][: len(slow)]).abs().mean() < 0.1
 
 
 def test_a_leg_is_as_long_as_its_bones(walk_clip):
@@ -116,7 +117,7 @@ def test_a_leg_is_as_long_as_its_bones(walk_clip):
     assert right == pytest.approx(left)
     roles = {**skeleton.roles, "left_hip": skeleton.roles["right_hip"]}
     mixed = replace(skeleton, roles=roles)
-    with pytest.raises(ValueError, match=r"left_foot: 0 m of bones from .*; check the roles"):
+    with refusal(r"left_foot: 0 m of bones from .*; check the roles"):
         steps.leg_length(mixed, "left_foot")
 
 
@@ -124,7 +125,7 @@ def test_a_leg_is_as_long_as_its_bones(walk_clip):
 def test_a_raised_foot_never_stands(gait):
     clip = procedural.generate("HopLeft", gait, 6.0, 2)
     assert float(Steps()(clip, "right_foot").max()) == 0
-    assert float(Steps()(clip, "left_foot").mean()) > 0.3
+    assert Steps()(clip, "left_foot").mean() > 0.3
     assert tk.phases.Hybrid().choice(clip, "right_foot") == "contact-free"
 
 
@@ -137,12 +138,12 @@ def test_phases_of_the_steps_follow_starts_stops_turns_and_runs():
         new.append(labels.errors(take, "hybrid"))
         floors.append(labels.floor(take))
     old, new, floors = (torch.stack(rows) for rows in (old, new, floors))
-    assert float(new.max()) < 20
-    assert float((new - floors).max()) < 12
-    assert float(new.mean()) < 0.85 * float(old.mean())
+    assert new.max() < 20
+    assert (new - floors).max() < 12
+    assert new.mean() < 0.85 * float(old.mean())
     for clip in disturbed(take.clip).values():
         other = replace(take, clip=clip)
-        assert float(labels.errors(other, "hybrid").max()) < 18
+        assert labels.errors(other, "hybrid").max() < 18
 
 
 def test_labelled_recordings_are_followed(shared):
@@ -152,10 +153,10 @@ def test_labelled_recordings_are_followed(shared):
         pytest.skip(f"needs {folder}")
     for take in labels.read(folder):
         error, floor = labels.errors(take, "hybrid"), labels.floor(take)
-        assert float(error.max()) < 20
-        assert float((error - floor).max()) < 10
-        assert float(error.mean()) < float(labels.errors(take, "contact").mean()) - 3
+        assert error.max() < 20
+        assert (error - floor).max() < 10
+        assert error.mean() < float(labels.errors(take, "contact").mean()) - 3
         clip, every = take.clip.resample(30.0), round(take.clip.fps / 30.0)
         moving = take.moving[::every][: len(clip)]
         slow = labels.Take(clip, take.right / every, take.left / every, moving)
-        assert float(labels.errors(slow, "hybrid").max()) < 20
+        assert labels.errors(slow, "hybrid").max() < 20

@@ -1,7 +1,6 @@
 """Training: minibatches, splits, the loop, checkpoints, several processes."""
 
 import contextlib
-import dataclasses
 import json
 import math
 import os
@@ -10,14 +9,17 @@ import shutil
 import signal
 import subprocess
 import sys
+from dataclasses import asdict, replace
 from pathlib import Path
 from types import SimpleNamespace
 from unittest import mock
 
 import pytest
 import torch
+from refusal import refusal
 from test_networks import TINY, tiny_model, tree
 from torch.nn import functional
+from torch.testing import assert_close
 
 import toolkit as tk
 from toolkit import networks, training
@@ -50,13 +52,13 @@ def waves(joints: int = 4, styles: int = 2, frames: int = 700) -> Features:
     return Features(layout, **parts)
 
 
-WIDER = dataclasses.replace(TINY, hidden=64, dropout=0.0)
+WIDER = replace(TINY, hidden=64, dropout=0.0)
 QUICK = Config(sizes=TINY, steps=12, batch=16, clips_per_batch=4, evaluate_every=5,
                rate=1e-3, final_rate=0.1, max_gradient=1.0, pose_mixup=0.2, refit=0)
 
 
 def quick(**changes) -> Config:
-    return dataclasses.replace(QUICK, **changes)
+    return replace(QUICK, **changes)
 
 
 @contextlib.contextmanager
@@ -112,14 +114,14 @@ def test_minibatches_cycle_through_styles_and_frames():
         pairs = zip(again[step], batches[step], strict=True)
         assert all(torch.equal(a, b) for a, b in pairs)
     assert not torch.equal(minibatches.Minibatches(data, 32, 2, seed=5)[3][0], batches[3][0])
-    no_frames = dataclasses.replace(data, inputs=data.inputs | {"style1": torch.zeros(0, 96)})
-    with pytest.raises(ValueError, match="style 'style1' has 0 frames and "):
+    no_frames = replace(data, inputs=data.inputs | {"style1": torch.zeros(0, 96)})
+    with refusal("style 'style1' has 0 frames and "):
         minibatches.Minibatches(no_frames, 32, 2, seed=4)
 
 
 def test_past_frames_are_those_before_in_the_same_take():
     data = waves()  # its first take has 400 frames
-    data = dataclasses.replace(data, frames={"style0": torch.arange(700)})
+    data = replace(data, frames={"style0": torch.arange(700)})
     x = data.inputs["style0"]
     rows = torch.tensor([0, 2, 300, 400, 401, 650])
     found = minibatches.remembered(data, "style0", rows, 3)
@@ -137,13 +139,13 @@ def test_only_poses_are_mixed_up_and_only_towards_others():
     assert all(torch.equal(a, b) for a, b in zip(rest, same, strict=True))
     assert torch.equal(x[:, : joints.start], moved[:, : joints.start])
     changed = (x != moved).any(1)
-    assert 0.3 < float(changed.float().mean()) < 0.7
+    assert 0.3 < changed.float().mean() < 0.7
     poses = torch.cat([data.inputs[s][:, joints] for s in data.styles])
     pose, way = x[changed][0, joints], (moved - x)[changed][0, joints]
     others = poses - pose
     share = (others @ way) / others.square().sum(1)  # along the way to some frame, not all of it
     near = (share[:, None] * others - way).abs().amax(1) < 1e-5
-    assert bool((near & (share > 0) & (share < 1)).any())
+    assert (near & (share > 0) & (share < 1)).any()
     assert torch.equal(mixed[7][0], moved)
 
 
@@ -175,7 +177,7 @@ def poses(rows):
     (8.0, False),  # a stretch is repeated for a style clip
 ])
 def test_style_clips_of_a_training_share_no_frame_with_what_is_held_out(seconds, mirror):
-    made = tk.datasets.load("procedural", styles=["Zombie"], gaits=["FW"], seconds=seconds)
+    made = [tk.datasets.procedural.generate("Zombie", seconds=seconds)]
     data = tk.features.build(made, mirror=mirror, source="contact")
     train, test = splits.split(data, 0.1, 1, ("Zombie",))
     windows = test.frames["Zombie"][:, None] + torch.arange(-60, 52)
@@ -196,8 +198,8 @@ def test_style_clips_of_a_training_share_no_frame_with_what_is_held_out(seconds,
 
 
 def test_a_style_too_short_for_clips_of_its_own_is_doubted():
-    clips = tk.datasets.load("procedural", styles=["Zombie"], gaits=["FW"], seconds=2.5)
-    data = tk.features.build(clips, source="contact")
+    clip = tk.datasets.procedural.generate("Zombie", seconds=2.5)
+    data = tk.features.build(clip, source="contact")
     doubt = "style 'Zombie' is too short to hold out frames"
     with pytest.warns(UserWarning, match=doubt) as doubts:
         train, test = splits.split(data, 0.1, 0, ("Zombie",))
@@ -208,8 +210,7 @@ def test_a_style_too_short_for_clips_of_its_own_is_doubted():
 
 
 def test_features_of_a_list_have_its_parts():
-    clips = tk.datasets.load("procedural", styles=["Zombie", "Neutral", "Old"],
-                             gaits=["FW", "FR"], seconds=12.0)
+    clips = tk.datasets.procedural.load(["Zombie", "Neutral", "Old"], ["FW", "FR"], 12.0)
     block = tk.datasets.blocks.Block
     trained = [block("Zombie", "FW", 100, 400), block("Zombie", "FR", 10, 700),
                block("Neutral", "FW", 0, 720), block("Neutral", "FR", 0, 720)]
@@ -225,13 +226,13 @@ def test_features_of_a_list_have_its_parts():
     joints = data.layout.inputs["joints"]
     walk = next(c for c in clips if (c.style, c.gait) == ("Zombie", "FW"))
     last = tk.features.build(walk.cut(420, 720), source="contact")  # it begins at frame 520
-    torch.testing.assert_close(test.inputs["Zombie"][:, joints], last.inputs["Zombie"][:, joints])
+    assert_close(test.inputs["Zombie"][:, joints], last.inputs["Zombie"][:, joints])
     assert not poses(train.clips["Zombie"]) & poses(test.inputs["Zombie"][:, joints])
     run = training.fit(data, quick(steps=2, clips_per_batch=1))
     assert run.held_out.keys() == {"Zombie"}
-    with pytest.raises(ValueError, match=r"Neutral.*: the split of made has no block of this take"):
-        splits.listed(clips, dataclasses.replace(parts, train=parts.train[:2]))
-    with pytest.raises(ValueError, match="none of these clips is in the training part"):
+    with refusal(r"Neutral.*: the split of made has no block of this take"):
+        splits.listed(clips, replace(parts, train=parts.train[:2]))
+    with refusal("none of these clips is in the training part"):
         splits.listed([c for c in clips if c.style == "Old"], parts)
 
 
@@ -239,11 +240,11 @@ def test_loss_is_mse_and_bone_length_of_equation_5():
     model = tiny_model()
     predicted, target = torch.randn(3, 2, model.layout.n_outputs).unbind(1)
     mse, bone = loss.loss_terms(model, predicted, target)
-    torch.testing.assert_close(mse, functional.mse_loss(predicted, target))
+    assert_close(mse, functional.mse_loss(predicted, target))
     rows = (model.normaliser("outputs").invert(z)[:, 24:72].view(3, 4, 12)
             for z in (predicted, target))
     lengths = [z[..., :3].diff(dim=1).norm(dim=-1) for z in rows]  # of a chain of joints
-    torch.testing.assert_close(bone, functional.l1_loss(*lengths))
+    assert_close(bone, functional.l1_loss(*lengths))
 
 
 def test_repeating_the_frame_keeps_pose_trajectory_and_phases():
@@ -255,7 +256,7 @@ def test_repeating_the_frame_keeps_pose_trajectory_and_phases():
     assert torch.equal(z["trajectory"], x[:, 24:48])  # now and the five future of twelve samples
     assert torch.equal(z["phases"], p)
     assert float(z["phase_updates"].abs().max()) == 0
-    assert bool((z["contacts"] == 0.25).all())
+    assert (z["contacts"] == 0.25).all()
 
 
 def test_without_held_out_frames_there_are_no_errors():
@@ -337,10 +338,10 @@ def test_two_processes_equal_one_without_dropout(tmp_path):
     """Pose mix-up, clipped gradients, and shares of 8 and 7 frames with 5 clips included."""
     config = quick(steps=6, sizes=WIDER, batch=15, clips_per_batch=5, evaluate_every=1)
     alone = training.fit(waves(), config)
-    two = dataclasses.replace(config, processes=2)
+    two = replace(config, processes=2)
     program, here, path = tmp_path / "train.py", Path(__file__).parents, tmp_path / "run"
     program.write_text(SCRIPT)
-    call = [sys.executable, program, json.dumps(dataclasses.asdict(two)), path]
+    call = [sys.executable, program, json.dumps(asdict(two)), path]
     settings = {"PYTHONPATH": os.pathsep.join(str(here[i]) for i in range(3)),
                 "PYTHONWARNINGS": "error", "OMP_NUM_THREADS": "1"}
     subprocess.run(call, env=os.environ | settings, check=True, timeout=600)
@@ -349,7 +350,7 @@ def test_two_processes_equal_one_without_dropout(tmp_path):
     assert same != losses  # or it was one process after all
     assert same == pytest.approx(losses, abs=1e-4)
     for a, b in zip(alone.model.parameters(), together.model.parameters(), strict=True):
-        torch.testing.assert_close(a, b, atol=1e-4, rtol=0)
+        assert_close(a, b, atol=1e-4, rtol=0)
 
 
 def test_under_torchrun_its_processes_and_nodes_count_and_not_the_config(monkeypatch):
@@ -373,8 +374,8 @@ def test_shares_of_a_minibatch_make_its_loss_and_processes_draw_their_own_dropou
                   torch.randn(5, 240, 48))
     whole = distributed.Objective(model)(x, p, z, y, 0)
     parts = [distributed.Objective(model, rank, 2)(x, p, z, y, 0) for rank in range(2)]
-    torch.testing.assert_close(sum(parts) / 2, whole)
-    torch.testing.assert_close(whole[0], whole[1] + whole[2])
+    assert_close(sum(parts) / 2, whole)
+    assert_close(whole[0], whole[1] + whole[2])
     assert loop.draws(7, 0) == (7,)  # as one process does
     assert len({loop.draws(step, rank) for step in range(3) for rank in range(3)}) == 9
 
@@ -395,7 +396,7 @@ def test_only_several_processes_need_lightning_fabric(monkeypatch):
     with pytest.raises(ImportError, match=needed):
         training.fit(waves(), quick(processes=2))
     assert len(training.fit(waves(), quick(steps=2)).history) == 1
-    with pytest.raises(ValueError, match=r"^1 × 'cuda:99': .+$"):
+    with refusal(r"^1 × 'cuda:99': .+$"):
         training.fit(waves(), quick(device="cuda:99"))
 
 
@@ -405,7 +406,7 @@ def test_it_stops_early_with_the_best_weights_also_after_a_resume(tmp_path):
     errors = [row["held_out"] for row in whole.history]
     assert len(errors) < 80
     assert min(errors) == errors[-4] < min(errors[-3:])
-    best = dataclasses.replace(config, patience=None, steps=whole.history[-4]["step"])
+    best = replace(config, patience=None, steps=whole.history[-4]["step"])
     assert same_weights(whole.model, training.fit(waves(), best).model)
     path, late = tmp_path / "checkpoint", whole.history[-1]["step"] - 7
     with pytest.raises(KeyboardInterrupt), after_steps(lambda step: step == late and interrupt()):
@@ -414,9 +415,9 @@ def test_it_stops_early_with_the_best_weights_also_after_a_resume(tmp_path):
         resumed = training.fit(waves(), config, path)
         assert same_weights(whole.model, resumed.model)
         assert [row["held_out"] for row in resumed.history] == errors
-    with pytest.raises(ValueError, match="to resume differs in patience: expected 4, got 3"):
-        training.fit(waves(), dataclasses.replace(config, patience=4), path)
-    with pytest.raises(ValueError, match=r"held_out=0\.0001 leaves none of these data"):
+    with refusal("to resume differs in patience: expected 4, got 3"):
+        training.fit(waves(), replace(config, patience=4), path)
+    with refusal(r"held_out=0\.0001 leaves none of these data"):
         training.fit(waves(), quick(patience=3, held_out=1e-4))
 
 
@@ -436,9 +437,9 @@ def test_what_cannot_be_resumed_is_named(tmp_path):
         (waves(joints=5), QUICK, "the layout is not the expected one: its joints differ"),
         (waves(frames=800), QUICK, "the run to resume had other data"),
     ):
-        with pytest.raises(ValueError, match=f"run.checkpoint: {why}"):
+        with refusal(f"run.checkpoint: {why}"):
             training.fit(other, config, path)
-    with pytest.raises(ValueError, match=r"expected a run in it, got checkpoint, model"):
+    with refusal(r"expected a run in it, got checkpoint, model"):
         training.load(path)
     training.fit(waves(joints=5), QUICK, path, resume=False)
 
@@ -477,10 +478,9 @@ def test_a_checkpoint_that_does_not_fit_the_run_is_refused(tmp_path, parts, name
         part[name] = changed
     model_files.write(path, tensors, {"model": parts[1]["model"],
                                       "checkpoint": {"config": config.fixed()} | numbers})
-    with pytest.raises(ValueError, match=re.escape(why)) as error:
+    with refusal(re.escape(why)) as error:
         training.fit(waves(), config, path)
     assert str(error.value).startswith(str(path))
-    assert "\n" not in str(error.value)
 
 
 def test_a_saved_run_is_whole(tmp_path, straight, monkeypatch):
@@ -500,7 +500,7 @@ def test_a_saved_run_is_whole(tmp_path, straight, monkeypatch):
     assert path.stat().st_size < whole
     assert slim.model.modulation.generator is None
     apart = slim.model.experts.layers[0].weight - straight.model.experts.layers[0].weight
-    assert 0 < float(apart.detach().abs().max()) < 1e-3
+    assert 0 < apart.detach().abs().max() < 1e-3
 
 
 @pytest.mark.parametrize(("changes", "match"), [
@@ -511,14 +511,14 @@ def test_a_saved_run_is_whole(tmp_path, straight, monkeypatch):
     ({"steps": 2.5}, r"steps must be a whole number, got 2\.5"),
 ])
 def test_impossible_configs(changes, match):
-    with pytest.raises(ValueError, match=match):
+    with refusal(match):
         Config(**changes)
 
 
 def test_unknown_style_and_divergence_are_named():
-    with pytest.raises(ValueError, match="unknown style 'style9'; close to it"):
+    with refusal("unknown style 'style9'; close to it"):
         training.fit(waves(), quick(styles=("style9",)))
-    with pytest.raises(ValueError, match="training diverged at step"):
+    with refusal("training diverged at step"):
         training.fit(waves(), quick(rate=1e30, max_gradient=None))
 
 
@@ -528,7 +528,7 @@ def test_the_recorded_model_lies_beside_the_package(tmp_path, monkeypatch):
     walk = tk.runtime.rollout(model, tk.runtime.straight(1.1, 2.0), bank["normal"])
     assert tk.metrics.upright(walk)
     assert tk.metrics.speed(walk.cut(60)) == pytest.approx(1.1, abs=0.15)
-    with pytest.raises(ValueError, match="no model 'real': procedural or recorded"):
+    with refusal("no model 'real': procedural or recorded"):
         tk.pretrained("real")
     monkeypatch.setattr("toolkit.training.run.RECORDED", tmp_path / "recorded.safetensors")
     with pytest.raises(FileNotFoundError, match=r"it is in the repository.*has the command"):

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import torch
+from refusal import refusal
 
 import toolkit as tk
 from toolkit import view
@@ -93,9 +94,8 @@ def test_what_does_not_go_into_a_page_is_refused_in_one_line(small_run, tmp_path
         "got 'Zombie'": (model, bank, {"styles": "Zombie"}),
         "at most 65504 in float16, got 100000": (huge, bank, {"half": True})
     }.items():
-        with pytest.raises(ValueError, match=refused) as error:
+        with refusal(refused):
             view.web(given[0], given[1], tmp_path / "x.html", **given[2])
-        assert "\n" not in str(error.value)
     assert not list(tmp_path.iterdir())
 
 
@@ -207,10 +207,10 @@ def test_a_crowd_starts_as_pythons_and_walks_its_rings(node, trained, tmp_path):
         assert torch.allclose(started, getattr(expected, name).flatten(1), atol=1e-5), name
     assert seen["drawn"] == 5
     roots = torch.tensor(seen["roots"])
-    assert float((roots[:, ::2].norm(dim=-1) - radii).abs().max()) < 0.7
-    assert float((roots[:, ::2] - place).norm(dim=-1).min()) > 0.5
+    assert (roots[:, ::2].norm(dim=-1) - radii).abs().max() < 0.7
+    assert (roots[:, ::2] - place).norm(dim=-1).min() > 0.5
     assert np.hypot(*seen["user"][::2]) < 0.5
-    with pytest.raises(ValueError, match=r"characters must be 1 or more, .* got 0"):
+    with refusal(r"characters must be 1 or more, .* got 0"):
         view.web(model, bank, tmp_path / "x.html", characters=0)
 
 
@@ -301,4 +301,4 @@ def test_the_kernel_in_a_page_does_what_a_notebooks_does(node, trained, tmp_path
         clip.skeleton, torch.tensor(frames[40:, 5 : 5 + 4 * joints]).float().view(20, joints, 4),
         torch.tensor(frames[40:, 2:5]).float(), 60.0
     )
-    assert float((clip.global_positions - shown.global_positions).norm(dim=-1).max()) < 1e-4
+    assert (clip.global_positions - shown.global_positions).norm(dim=-1).max() < 1e-4

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from PIL import Image
 from posed_rigs import rig, with_twists
+from refusal import refusal
 from test_export import seen_by_vtk
 
 import toolkit as tk
-from toolkit.__main__ import main
 from toolkit.extra.characters import gltf_mesh
 from toolkit.extra.characters.character import Character
 from toolkit.extra.engines import character_gltf
@@ -93,9 +93,8 @@ def test_damaged_fbx_figures_are_refused_in_a_line(fbx, hero, tmp_path, monkeypa
 
     monkeypatch.setattr(motion_files, "fbx", damaged)
     (tmp_path / "bad.fbx").write_bytes(motion_files.fbx_figure(Character.load(hero), b""))
-    with pytest.raises(ValueError, match=rf"bad\.fbx: .*{problem}") as error:
+    with refusal(rf"bad\.fbx: .*{problem}"):
         Character.load(tmp_path / "bad.fbx")
-    assert "\n" not in str(error.value)
 
 
 @pytest.mark.parametrize("kind", ["hero", "fbx"])
@@ -175,10 +174,9 @@ def test_the_controller_gets_it(hero):
     widget.close()
 
 
-def test_the_command_line_walks_it(hero, tmp_path):
+def test_the_command_line_walks_it(hero, tmp_path, command):
     out = tmp_path / "old.glb"
-    words = f"rollout --style Old --seconds 0.5 --character {hero} --out {out}"
-    assert main(words.split()) == 0
+    command(f"rollout --style Old --seconds 0.5 --character {hero} --out {out}")
     walk = tk.load(out, animation="Old FW")
     assert len(walk) == 30
     assert {*Character.load(hero).skeleton.names} <= {*walk.skeleton.names}
@@ -202,7 +200,7 @@ def test_a_text_that_json_cannot_hold_is_replaced(hero, tmp_path, zombie):
 @pytest.mark.parametrize("value", [math.nan, math.inf])
 def test_numbers_that_json_cannot_hold_are_said_with_the_file(hero, tmp_path, zombie, value):
     odd = changed(hero, tmp_path / "odd.glb", lambda d: d.update(extras={"planted": value}))
-    with pytest.raises(ValueError, match=r"odd\.glb: its JSON text has NaN or Infinity"):
+    with refusal(r"odd\.glb: its JSON text has NaN or Infinity"):
         character_gltf.save(zombie, tmp_path / "walk.glb", Character.load(odd))
 
 
@@ -217,12 +215,11 @@ def test_numbers_that_json_cannot_hold_are_said_with_the_file(hero, tmp_path, zo
     (lambda d: [node.update(name="") for node in d["nodes"]], "cannot find its left_shoulder"),
 ])
 def test_files_without_a_character_are_refused_in_a_line(hero, tmp_path, change, problem):
-    with pytest.raises(ValueError, match=rf"bad\.glb: .*{problem}") as error:
+    with refusal(rf"bad\.glb: .*{problem}"):
         Character.load(changed(hero, tmp_path / "bad.glb", change))
-    assert "\n" not in str(error.value)
 
 
 def test_a_file_that_is_cut_off_is_refused(hero, tmp_path):
     (tmp_path / "cut.glb").write_bytes(hero.read_bytes()[:5000])
-    with pytest.raises(ValueError, match=r"cut\.glb: .*cut off"):
+    with refusal(r"cut\.glb: .*cut off"):
         Character.load(tmp_path / "cut.glb")

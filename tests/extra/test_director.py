@@ -5,6 +5,7 @@ import json
 import pytest
 import torch
 import traitlets
+from refusal import refusal
 
 import toolkit as tk
 from toolkit import __main__ as line
@@ -56,7 +57,7 @@ def test_a_scene_that_is_not_valid_is_refused_in_one_line(desk, changes, said):
 def test_another_model_is_refused_in_a_notebook_and_recorded_in_a_page(tmp_path):
     model, bank = tk.pretrained()
     other = tk.networks.build("pfnn-film", model.layout, 2, model.sizes)
-    with pytest.raises(ValueError, match="only lpn-film runs in a page, got pfnn-film"):
+    with refusal("only lpn-film runs in a page, got pfnn-film"):
         Director(other, bank)
     # a page plays what Python renders of it
     few, vectors = bank.names[:2], torch.zeros(2, other.style_size)

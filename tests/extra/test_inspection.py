@@ -7,12 +7,11 @@ import rigs
 from test_interpretation import written
 
 import toolkit as tk
-from toolkit.__main__ import main
 
 pytestmark = pytest.mark.usefixtures("unchanged")
 
 
-def test_an_inspection_says_all_that_was_found(tmp_path, capsys):
+def test_an_inspection_says_all_that_was_found(tmp_path, command):
     path = tmp_path / "walk.bvh"
     written(rigs.walk("Unreal", seconds=2.0), path, rigs.TABLE["Unreal"])
     found = tk.inspect(path)
@@ -23,15 +22,12 @@ def test_an_inspection_says_all_that_was_found(tmp_path, capsys):
     assert "root" in found.joints
     assert all(0.3 < share < 0.6 for share in found.contact.values())
     assert set(found.rules) == set(found.roles)
-    assert main(["inspect", str(path)]) == 0
-    said = capsys.readouterr().out
+    said = command("inspect", path).out
     assert repr(found) in said
     for line in ("up        z", "unit      0.01 m (cm)", "upright   yes",
                  "hip       thigh_l, thigh_r (name)"):
         assert line in said
-    given = ["--unit", "inch", "--up", "z", "--roles", "left_toe=foot_l"]
-    assert main(["inspect", str(path), *given]) == 0
-    said = capsys.readouterr().out
+    said = command("inspect --unit inch --up z --roles left_toe=foot_l", path).out
     assert "unit      0.0254 m (inch)" in said
     assert "toe       foot_l, ball_r (given/name)" in said
 

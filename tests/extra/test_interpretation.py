@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 import rigs
 import torch
+from refusal import refusal
 from torch.testing import assert_close
 
 import toolkit as tk
@@ -121,9 +122,8 @@ def test_roles_unit_and_up_that_do_not_fit_are_refused(tmp_path):
         ({"unit": "parsec"}, "auto, m, cm"),
         ({"up": "w"}, "one of auto, x"),
     ):
-        with pytest.raises(ValueError, match=problem) as caught:
+        with refusal(problem):
             tk.load(path, **options)
-        assert "\n" not in str(caught.value)
     given = tk.load(path, roles={"left_toe": "LeftFoot"})
     assert given.skeleton.roles["left_toe"] == "LeftFoot"
     assert tk.inspect(path, roles={"left_toe": "LeftFoot"}).rules["left_toe"] == "given"

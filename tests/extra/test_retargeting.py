@@ -3,6 +3,7 @@
 import pytest
 import torch
 from posed_rigs import POSES, rig, with_soles, with_twists, without_toes
+from refusal import refusal
 
 import toolkit as tk
 from toolkit.datasets.procedural import SKELETON
@@ -13,7 +14,7 @@ from toolkit.motion import rotations as R
 
 @pytest.fixture(scope="module")
 def walk() -> tk.Clip:
-    clip = tk.datasets.load("procedural", styles=["BentForward"], gaits=["FW"], seconds=3.0)[0]
+    clip = tk.datasets.procedural.generate("BentForward", seconds=3.0)
     return clip.moved(turn=0.7, shift=(2.0, 0.0, -1.0))
 
 
@@ -74,11 +75,11 @@ def test_missing_toes_and_collars_are_tolerated(walk):
     target = rig("A-pose", joints=without_toes)
     made = retargeting.retarget(walk, target)
     assert retargeting.report(walk, made).direction < 1.0
-    assert 0.04 < float(made.global_positions[..., 1].min()) < 0.12  # of an ankle
+    assert 0.04 < made.global_positions[..., 1].min() < 0.12  # of an ankle
     back = retargeting.retarget(made, SKELETON)
     assert retargeting.report(walk, back).direction < 1.0
-    assert -0.03 < float(back.global_positions[..., 1].min()) < 0.05
-    assert float(back.global_positions[..., SKELETON.index("HeadEnd"), 1].median()) > 1.2
+    assert -0.03 < back.global_positions[..., 1].min() < 0.05
+    assert back.global_positions[..., SKELETON.index("HeadEnd"), 1].median() > 1.2
 
 
 def test_a_toe_straight_below_the_ankle_shows_no_direction(walk):
@@ -100,7 +101,7 @@ def test_the_floor_is_found(walk):
 
 def test_a_rig_whose_zero_rotations_show_nothing_needs_a_clip(walk):
     target = rig("along y")
-    with pytest.raises(ValueError, match="no standing figure"):
+    with refusal("no standing figure"):
         retargeting.retarget(walk, target.skeleton)
     assert measure(target).leg == pytest.approx(0.869, abs=1e-3)
 

@@ -1,13 +1,14 @@
-import dataclasses
 import json
 import math
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 import torch
 from hypothesis import given, strategies as st
+from refusal import refusal
 
 import toolkit as tk
 from toolkit.extra.shots import Scene, Shot, apart, pins, reaching
@@ -49,7 +50,7 @@ def test_a_shot_survives_its_file(tmp_path_factory, shot):
     assert Shot.load(path) == shot
     tk.shots.save([shot, S_PATH], path)
     assert tk.shots.load(path) == [shot, S_PATH]
-    with pytest.raises(ValueError, match="holds 2 shots"):
+    with refusal("holds 2 shots"):
         Shot.load(path)
 
 
@@ -82,7 +83,7 @@ def test_those_who_keep_apart_do_and_the_others_walk_through_each_other(tmp_path
 
 def test_bodies_keep_apart_by_the_reach_of_their_styles(fast):
     model, bank = fast
-    arms = Scene([dataclasses.replace(MEET[0], styles="Aeroplane"), MEET[1]], 1.0)
+    arms = Scene([replace(MEET[0], styles="Aeroplane"), MEET[1]], 1.0)
     scene, nearest = arms.spaced(model, bank, bodies=0.4), []
     for each in (arms, scene):
         places = torch.stack([tk.runtime.world_joints(model.layout, state)["position"]
@@ -115,7 +116,7 @@ def test_check_names_a_gate_that_is_too_narrow(fast, wide, said):
 
 
 def test_check_names_ends_that_are_too_close(fast):
-    near = [dataclasses.replace(MEET[0], name="first"),
+    near = [replace(MEET[0], name="first"),
             Shot([(5, 0), (MEET[0].path[-1].x + 0.6, MEET[0].path[-1].z)], "Neutral")]
     (line,) = Scene(near, 0.7).check(*fast)
     assert line.endswith("end 0.60 m apart and keep 0.70 m: they do not both arrive")
@@ -130,9 +131,9 @@ def test_check_names_a_gate_to_which_too_many_come_at_once(fast):
     many = [Shot([at(x, z), at(0, 2), at(x, 8 + z)], "Neutral", [(0, 0.6)]) for x, z in places]
     (line,) = Scene(many, 1.2, walls).check(*fast)
     assert "those who come at once would wait for up to" in line
-    later = [dataclasses.replace(shot, holds=[{"seconds": 1.5 * k, "time": 0}])
+    later = [replace(shot, holds=[{"seconds": 1.5 * k, "time": 0}])
              for k, shot in enumerate(many)]
-    beside = [dataclasses.replace(shot, path=(shot.path[0], at(1.3, 2), shot.path[2]))
+    beside = [replace(shot, path=(shot.path[0], at(1.3, 2), shot.path[2]))
               for shot in many]  # not through the gate
     for shots in (later, beside):
         assert Scene(shots, 1.2, walls)._gaps(fast[1]) == []
@@ -213,14 +214,14 @@ def test_the_examples_are_valid_and_small(fast):
 
 
 def test_a_render_has_the_bits_of_its_states_and_a_seed_other_steps(fast):
-    short = dataclasses.replace(S_PATH, duration=1.5, styles=[(0, "Neutral"), (1, "Zombie")])
+    short = replace(S_PATH, duration=1.5, styles=[(0, "Neutral"), (1, "Zombie")])
     made = short.render(*fast)
     assert len(made) == 1.5 * FPS
     again = tk.runtime.record(fast[0], Scene([short]).states(*fast))
     assert torch.equal(again.rotations, made.rotations)
     assert torch.equal(again.root_positions, made.root_positions)
     for changes, least in (({"seed": 1}, 0.1), ({"feet": False, "arms": False}, 1e-3)):
-        other = dataclasses.replace(short, **changes).render(*fast)
+        other = replace(short, **changes).render(*fast)
         assert (other.rotations - made.rotations).abs().max() > least
 
 
@@ -229,7 +230,7 @@ def test_characters_keep_to_their_paths_and_their_times(fast):
     made = []
     for style in ("Neutral", "Old"):
         timed = [(0, 0), (1, 2, 3.4 / bank.speed(style)), (-1, 4), (0, 6, 9.5 / bank.speed(style))]
-        made.append(dataclasses.replace(S_PATH, styles=style, path=timed))
+        made.append(replace(S_PATH, styles=style, path=timed))
     plans = [shot.plan(bank) for shot in made]
     states = list(Scene(made).states(model, bank, plans))
     for who, (shot, (course, _)) in enumerate(zip(made, plans, strict=True)):
@@ -273,7 +274,7 @@ def test_check_names_what_is_to_blame():
     assert "is ahead of the plan: Neutral does not stand" in pause.unmet(bank, plan, on)[-1]
 
     bent = Shot([(0, 0), (0, 2), (1.5, 2.3), (3, 2)], "Neutral", [(0, 1.0)])
-    held = dataclasses.replace(bent, holds=[{"distance": 2.3, "seconds": 2}])
+    held = replace(bent, holds=[{"distance": 2.3, "seconds": 2}])
     straight = Shot([(0, 0), (0, 4)], [(0, "Neutral"), (4, "Old")], [(0, 1.0)])
     for shot, blamed in ((bent, "the turn after"),
                          (held, "does not stand still in the pause after 2.3 m"),
@@ -297,7 +298,7 @@ def test_check_names_what_is_to_blame():
     ({"pins": [{"at": 1.4, "left_hand": (0.3, 2.6, 2.0)}]}, "is 2.60 m high"),
 ])
 def test_check_says_what_cannot_be_met(fast, changes, said):
-    lines = dataclasses.replace(Shot([(0, 0), (0, 3)], "Neutral"), **changes).check(*fast)
+    lines = replace(Shot([(0, 0), (0, 3)], "Neutral"), **changes).check(*fast)
     assert any(said in line for line in lines), lines
     assert all("\n" not in line for line in lines)
 
@@ -353,10 +354,9 @@ FILES = [(None, "not a JSON file of shots"), ([], "expected an object with the f
 def test_a_bad_field_is_one_clear_line(tmp_path, scene, said):
     path = tmp_path / "bad.json"
     path.write_text("" if scene is None else json.dumps(scene))
-    with pytest.raises(ValueError, match=re.escape(said)) as caught:
+    with refusal(re.escape(said)) as caught:
         Scene.load(path)
     assert str(path) in str(caught.value)
-    assert "\n" not in str(caught.value)
 
 
 PINNED = Shot([(0, 0), (0.3, 2), (0, 5)], "Strut", pins=[
@@ -372,7 +372,7 @@ def test_pins_are_reached_and_the_feet_and_the_frames_between_stay(fast):
     states = PINNED._walked(model, bank, plan)
     places = list(map(tuple, states.root[:, :2].tolist()))
     made, walk = (shot.drawn(model, states, plan[0])
-                  for shot in (PINNED, dataclasses.replace(PINNED, pins=())))
+                  for shot in (PINNED, replace(PINNED, pins=())))
     assert pins.missed(PINNED.pins, made) == PINNED.unmet(bank, plan, places) == []
     missed = [line.split(" is ")[0] for line in pins.missed(PINNED.pins, walk)]
     assert missed == ["pins[0]: the right hand", "pins[1]: the left hand", "pins[2]: the left foot"]
@@ -399,7 +399,7 @@ def test_pins_of_all_kinds_move_a_walk_by_known_distances(walk_clip):
         {"at": 1.6, "left_hand": (x + 0.5, 0.6, z + 2.0), "look": (x - 2, 0.2, z + 3)},
         {"at": 2, "pose": {"Chest": (0.924, 0.383, 0, 0), "Hips": (1, 0, 0, 0)}},
         {"at": 2.8, "right_foot": (x - 0.1, 0.3, z + 3), "left_hand": (x + 0.1, 1.0, z + 3.4)}])
-    course = dataclasses.replace(shot, pins=()).plan()[0]
+    course = replace(shot, pins=()).plan()[0]
     rotations, root = reaching.pinned(walk.skeleton, walk.rotations.double(),
                                       walk.root_positions.double(), shot.pins, course)
     made = walk.replace(rotations=rotations.float(), root_positions=root.float())
@@ -418,7 +418,7 @@ def test_pins_are_missed_in_the_frames_from_their_time_to_their_end(walk_clip):
     for at, to, said in ((6, None, []), (6, 7, ["is out of reach"]), (5, 6, ["is out of reach"]),
                          (99, None, ["after the end of the motion"])):
         pin = {"at": at / FPS, "to": to and to / FPS, "left_hand": place}
-        lines = pins.missed(dataclasses.replace(PINNED, pins=[pin]).pins, fast)
+        lines = pins.missed(replace(PINNED, pins=[pin]).pins, fast)
         assert [text in line for text, line in zip(said, lines, strict=True)] == [True] * len(said)
 
 
@@ -433,8 +433,8 @@ def test_a_pinned_pose_is_taken_where_the_character_stands(fast):
                           atol=1e-3)
     assert abs(made.global_positions[209, :, 1].amin()) < 0.05
     assert Shot(**tk.shots.data([shot])["shots"][0]) == shot
-    bad = dataclasses.replace(shot, pins=[{"at": 1, "pose": {"Tail": (1, 0, 0, 0)}}])
-    with pytest.raises(ValueError, match="has the joint 'Tail'"):
+    bad = replace(shot, pins=[{"at": 1, "pose": {"Tail": (1, 0, 0, 0)}}])
+    with refusal("has the joint 'Tail'"):
         bad.render(model, bank)
 
 
@@ -467,11 +467,8 @@ def test_a_plan_meets_times_and_pauses():
     assert course.distance[-1] == 10.0
 
 
-def test_the_verb_writes_a_motion(tmp_path, capsys):
+def test_the_verb_writes_a_motion(tmp_path, command):
     file, out = tmp_path / "shot.json", tmp_path / "walk.bvh"
     Shot([(0, 0), (0, 1)], "Neutral", duration=1.0).save(file)
-    from toolkit.__main__ import main
-
-    assert main(["shot", str(file), "--out", str(out)]) == 0
+    assert "not reached in 1 s" in command(f"shot {file} --out {out}").err
     assert len(tk.bvh.load(out)) == 60
-    assert "not reached in 1 s" in capsys.readouterr().err

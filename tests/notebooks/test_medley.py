@@ -7,7 +7,7 @@ import toolkit as tk
 
 
 def test_a_medley_goes_on_where_the_last_clip_ended():
-    clips = tk.datasets.load("procedural", styles="Neutral", gaits=["FW", "SW", "FR"], seconds=3.0)
+    clips = tk.datasets.procedural.load("Neutral", ["FW", "SW", "FR"], 3.0)
     whole = medley(clips, overlap=0.5)
     assert len(whole) == sum(map(len, clips)) - 2 * 30
     assert torch.equal(whole.rotations[:150], tk.motion.rotations.unroll(clips[0].rotations)[:150])
