@@ -6,6 +6,7 @@ import pytest
 import torch
 import unchanged as numbers
 from hypothesis import settings
+from posed_rigs import rig, with_twists
 
 import toolkit as tk
 from toolkit.__main__ import main
@@ -94,6 +95,15 @@ def one_walk():
         patch.setattr("toolkit.view.pages.live_page.example", known)
         patch.setattr("toolkit.view.widgets.controller.example", known)
         yield
+
+
+@pytest.fixture(scope="session")
+def hero(tmp_path_factory) -> Path:
+    """A skinned body on a rig with bones along their own y, twist bones, shorter legs."""
+    path = tmp_path_factory.mktemp("hero") / "hero.glb"
+    tk.extra.engines.gltf.save(rig("along y", arms=1.1, legs=0.85, hips=1.1, joints=with_twists),
+                               path)
+    return path
 
 
 @pytest.fixture(scope="session")

@@ -17,7 +17,6 @@ from course import (
     phase_figures,
     plane,
 )
-from posed_rigs import rig, with_twists
 
 import toolkit as tk
 from toolkit.datasets import procedural
@@ -34,14 +33,6 @@ from .conftest import COMMENT, IMAGE, PLANTED, SCRIPT, shows_as_text
 @pytest.fixture(scope="module")
 def clip():
     return procedural.generate("Old", seconds=1.0)
-
-
-@pytest.fixture(scope="module")
-def hero(tmp_path_factory):
-    path = tmp_path_factory.mktemp("hero") / "hero.glb"
-    made = rig("along y", arms=1.1, legs=0.85, hips=1.1, joints=with_twists)
-    tk.extra.engines.gltf.save(made, path)
-    return Character.load(path)
 
 
 def numbers(page, values: str) -> np.ndarray:
@@ -82,6 +73,7 @@ def test_a_page_shows_a_character_of_ones_own(visit, tmp_path, hero, clip):
     page = visit(tk.view.html([clip], tmp_path / "walk.html", title="Hero", character=hero))
     page.wait_for_function("() => globalThis.view?.state.drawn > 3")
     page.evaluate("() => { view.play(false); view.seek(30 / 60); }")
+    hero = Character.load(hero)
     made = hero.fitted(clip)
     expected = hero.skin.pose(made.global_rotations[30], made.global_positions[30])[0]
     seen = numbers(page, "view.scenes[0].body.position")
@@ -91,6 +83,7 @@ def test_a_page_shows_a_character_of_ones_own(visit, tmp_path, hero, clip):
 def test_it_follows_another_skeleton_as_retargeting_does(visit, tmp_path, hero, clip):
     """The live scene turns the joints itself; compared with Python's retargeting without IK."""
     start = "globalThis.scene = new toolkitScene.Scene(stage, data.skeleton);"
+    hero = Character.load(hero)
     data = {"skeleton": pages_.skeleton_data(clip, hero)}
     page = visit(pages_.write(tmp_path / "live.html", "Hero", "", data, start))
     made, lift = retargeting.retarget(clip, hero.rest, feet=False), None

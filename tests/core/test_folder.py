@@ -37,6 +37,14 @@ def motions(tmp_path_factory) -> "dict[tuple[str, str], object]":
     return found
 
 
+@pytest.fixture
+def copied(tmp_path, motions):
+    """A folder with the files, named after style and gait."""
+    for (style, gait), source in motions.items():
+        shutil.copy(source, tmp_path / f"{style}_{gait}.bvh")
+    return tmp_path
+
+
 @pytest.mark.parametrize(("name", "joints"), [("Reallusion", 22), ("MakeHuman", 34)])
 def test_body_joints_of_known_rigs(name, joints):
     rich = rigs.walk(name)
@@ -89,37 +97,33 @@ def test_style_and_gait_come_from_names_folders_or_a_table(tmp_path, motions, la
     assert {clip.gait for clip in clips} == {gait for style, gait in expected if style == "Zombie"}
 
 
-def test_what_is_left_out_is_said(tmp_path, motions, walk):
-    for (style, gait), source in motions.items():
-        shutil.copy(source, tmp_path / f"{style}_{gait}.bvh")
-    tk.bvh.save(walk.cut(0, 60), tmp_path / "Short_walk.bvh")
-    tk.bvh.save(walk, tmp_path / "Inches_walk.bvh", unit=0.0254)
+def test_what_is_left_out_is_said(copied, walk):
+    tk.bvh.save(walk.cut(0, 60), copied / "Short_walk.bvh")
+    tk.bvh.save(walk, copied / "Inches_walk.bvh", unit=0.0254)
     small = dataclasses.replace(walk.skeleton, offsets=0.6 * walk.skeleton.offsets)
     child = walk.replace(skeleton=small, root_positions=0.6 * walk.root_positions)
-    tk.bvh.save(child, tmp_path / "Child_walk.bvh")
-    (tmp_path / "Broken_walk.bvh").write_text("HIERARCHY\nROOT Hips\n{\n OFFSET 0 0 0\n")
-    found = folder.survey(tmp_path)
+    tk.bvh.save(child, copied / "Child_walk.bvh")
+    (copied / "Broken_walk.bvh").write_text("HIERARCHY\nROOT Hips\n{\n OFFSET 0 0 0\n")
+    found = folder.survey(copied)
     assert {take.style for take in found.takes} == {"Neutral", "Zombie", "Inches"}
     why = {path.name: reason for path, reason in found.left_out.items()}
     assert set(why) == {"Short_walk.bvh", "Child_walk.bvh", "Broken_walk.bvh"}
     assert "1.0 s; a clip of 1.9 s is needed" in why["Short_walk.bvh"]
     assert "line 4" in why["Broken_walk.bvh"]
     assert "another size" in why["Child_walk.bvh"]
-    lines = list(found.lines(tmp_path))
+    lines = list(found.lines(copied))
     assert lines[0] == "5 files, 1,500 frames, 0.4 minutes; 28 body joints of 28"
     assert "  Neutral run: 1 file, 300 frames, 5.0 s" in lines
     with pytest.warns(UserWarning, match=r"3 files left out: Broken_walk.bvh: .*; Child_walk.bvh: "
                                          r"a body of .*; Short_walk.bvh: 1.0 s; a clip"):
-        assert len(tk.datasets.load("folder", tmp_path)) == 5
+        assert len(tk.datasets.load("folder", copied)) == 5
 
 
-def test_files_of_other_rigs_can_be_retargeted(tmp_path, motions, walk):
-    for (style, gait), source in motions.items():
-        shutil.copy(source, tmp_path / f"{style}_{gait}.bvh")
+def test_files_of_other_rigs_can_be_retargeted(copied, walk):
     other = retargeting.retarget(walk, rig("A-pose", joints=with_twists))
-    tk.bvh.save(other, tmp_path / "Other_walk.bvh")
+    tk.bvh.save(other, copied / "Other_walk.bvh")
     with pytest.warns(UserWarning, match="1 file left out: Other_walk.bvh: other joints than most"):
-        mixed = tk.datasets.load("folder", tmp_path)
+        mixed = tk.datasets.load("folder", copied)
     clips = [*mixed, other.replace(style="Other")]
     with refusal("its joints differ") as error:
         tk.features.build(clips)
@@ -128,7 +132,7 @@ def test_files_of_other_rigs_can_be_retargeted(tmp_path, motions, walk):
     assert tk.features.build(alike).styles == ["Neutral", "Other", "Zombie"]
     pose = tk.motion.rotations.identity(1, len(SKELETON))
     target = tk.Clip(SKELETON, pose, torch.zeros(1, 3), 60.0)
-    clips = tk.datasets.load("folder", tmp_path, target=target)
+    clips = tk.datasets.load("folder", copied, target=target)
     assert {clip.style for clip in clips} == {"Neutral", "Zombie", "Other"}
     assert {clip.skeleton.names for clip in clips} == {SKELETON.names}
 
@@ -153,12 +157,10 @@ def test_a_folder_of_nothing_is_refused(tmp_path):
         folder.survey(tmp_path)
 
 
-def test_a_folder_is_surveyed_and_read_by_the_verbs(tmp_path, motions, capsys):
-    for (style, gait), source in motions.items():
-        shutil.copy(source, tmp_path / f"{style}_{gait}.bvh")
-    assert dataset(str(tmp_path), None) == ("folder", tmp_path)
-    show(tmp_path)
+def test_a_folder_is_surveyed_and_read_by_the_verbs(copied, capsys):
+    assert dataset(str(copied), None) == ("folder", copied)
+    show(copied)
     assert "4 files, 1,200 frames, 0.3 minutes; 28 body joints of 28" in capsys.readouterr().out
     with refusal("is the folder to read; --root is for datasets with a na"):
-        dataset(str(tmp_path), tmp_path)
-    assert tk.features.build(tk.datasets.load("folder", tmp_path)).styles == ["Neutral", "Zombie"]
+        dataset(str(copied), copied)
+    assert tk.features.build(tk.datasets.load("folder", copied)).styles == ["Neutral", "Zombie"]

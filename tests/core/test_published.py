@@ -89,15 +89,6 @@ def test_styles_have_the_published_speeds(published):
     assert bank.select(["Old", "Cat"]).speed("Old") == bank.speed("Old")
 
 
-def test_feet_of_real_motion(walk):
-    real = tk.metrics.feet(walk.cut(327))
-    assert real["skate"] < 0.03
-    assert 0.09 < real["clearance"] < 0.12
-    assert 1.3 < real["steps"] < 1.6
-    with refusal("have the shape"):
-        tk.metrics.feet(walk, torch.ones(3, 2))
-
-
 def test_all_styles_but_drunk_walk_upright_with_toes_that_stand(published):
     """At one metre a second; toes in contact of ten styles move by 0.5 cm/s (the median)."""
     model, bank = published
@@ -146,5 +137,3 @@ def test_missing_and_damaged_files_are_named(tmp_path):
     torch.full((348,), math.nan).numpy().tofile(tmp_path / "Xmean.bin")
     with refusal(r"Xmean\.bin: expected 348 float32 numbers that"):
         tk.published.load(tmp_path)
-
-

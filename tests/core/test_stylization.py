@@ -10,7 +10,6 @@ from itertools import product
 import pytest
 import torch
 from course import halves
-from course.medley import medley
 from hypothesis import given
 from refusal import refusal
 from strategies import clips, human, human_clip
@@ -434,18 +433,6 @@ def test_a_blend_is_half_the_network_and_half_the_shift_of_mean_poses(walks, mod
     heights = [data.describe(data.prepare(c))[0][1, :, 0] for c in (made, blend)]  # of the root
     wanted = (heights[0] + shifted[0, 1, :, 0]) / 2
     assert_close(heights[1], wanted, atol=1e-3, rtol=0)
-
-
-def test_a_long_clip_of_several_actions_stays_upright_in_every_style():
-    """Figure 5: one pass over 1,003 frames, by the model in the package."""
-    gaits = tk.datasets.load("procedural", styles="Neutral", gaits=["FW", "FR", "ID", "SW", "BW"],
-                             seconds=4.0, seed=7)
-    long = medley([clip.resample(30) for clip in gaits] * 2).cut(0, 1003)
-    model = st.pretrained()
-    for style in model.domains[1:]:
-        made = st.stylize(model, long, style, seed=1, feet=False)
-        assert len(made) == 1003
-        assert tk.metrics.upright(made), style
 
 
 def test_held_feet_stand_where_the_source_stands(walks):

@@ -247,18 +247,6 @@ def test_loss_is_mse_and_bone_length_of_equation_5():
     assert_close(bone, functional.l1_loss(*lengths))
 
 
-def test_repeating_the_frame_keeps_pose_trajectory_and_phases():
-    layout = tree(4)
-    x, p = torch.randn(2, layout.n_inputs), torch.randn(2, 8)
-    mean = torch.full((layout.n_outputs,), 0.25)
-    z = layout.unpack_output(loss.repeat_frame(layout, x, p, mean))
-    assert torch.equal(z["joints"], x[:, 48:])
-    assert torch.equal(z["trajectory"], x[:, 24:48])  # now and the five future of twelve samples
-    assert torch.equal(z["phases"], p)
-    assert float(z["phase_updates"].abs().max()) == 0
-    assert (z["contacts"] == 0.25).all()
-
-
 def test_without_held_out_frames_there_are_no_errors():
     run = training.fit(waves(styles=1), quick(steps=2, held_out=0.0))
     assert run.held_out == run.baselines == {}

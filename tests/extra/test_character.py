@@ -8,7 +8,6 @@ import motion_files
 import numpy as np
 import pytest
 from PIL import Image
-from posed_rigs import rig, with_twists
 from refusal import refusal
 from test_export import seen_by_vtk
 
@@ -17,15 +16,6 @@ from toolkit.extra.characters import gltf_mesh
 from toolkit.extra.characters.character import Character
 from toolkit.extra.engines import character_gltf
 from toolkit.view.render import stage
-
-
-@pytest.fixture(scope="module")
-def hero(tmp_path_factory):
-    """A skinned body on a rig with bones along their own y, twist bones, shorter legs."""
-    path = tmp_path_factory.mktemp("hero") / "hero.glb"
-    tk.extra.engines.gltf.save(rig("along y", arms=1.1, legs=0.85, hips=1.1, joints=with_twists),
-                               path)
-    return path
 
 
 @pytest.fixture(scope="module")
