@@ -77,13 +77,17 @@ class Desk:
         self.page.wait_for_function(until, timeout=120_000)
         self.page.evaluate(FRAMES)
 
+    def run(self, what: str):
+        """Call or look at something of the page's view."""
+        return self.page.evaluate(f"() => view.{what}")
+
     def open(self, scene: dict, until: str = STARTED) -> None:
         self.page.evaluate("(scene) => view.open(scene)", scene)
         self.wait(until)
 
     @property
     def shots(self) -> list:
-        return tk.shots.parse(self.page.evaluate("() => view.desk.scene"))
+        return tk.shots.parse(self.run("desk.scene"))
 
     def clip(self, k: int = 0) -> tk.Clip:
         """The motion of a character."""
@@ -192,19 +196,19 @@ def test_what_is_named_like_html_is_shown_as_text(desk):
 
 def test_those_who_keep_apart_walk_as_in_python(desk, double):
     scene = tk.shots.Scene.parse(CROSSING)
-    before = desk.page.evaluate("() => view.desk.scene")
+    before = desk.run("desk.scene")
     desk.open(CROSSING, DONE)
     with torch.no_grad():
         clips = scene.render(*double)
     for k, clip in enumerate(clips):
         assert apart(clip, desk.clip(k)) < 1.0
     assert "All keep 0.9 m apart, or" in desk.page.locator(".tkd-say").inner_text()
-    assert tk.shots.Scene.parse(desk.page.evaluate("() => view.desk.scene")) == scene
+    assert tk.shots.Scene.parse(desk.run("desk.scene")) == scene
     near = "Object.assign(shots[0].path[0], { x: 0.2, z: 1.2 })"
     with pytest.raises(Exception, match=r"start 0.20 m from each other, closer than the 0.90 m"):
         desk.page.evaluate(f"() => view.desk.change((shots) => void {near})")
     desk.press("Undo")
-    assert desk.page.evaluate("() => view.desk.scene") == before
+    assert desk.run("desk.scene") == before
 
 
 def test_a_path_is_drawn_and_its_points_are_dragged(desk):
@@ -259,8 +263,8 @@ def test_styles_speeds_and_pauses_are_keyed(desk):
 
     ruler = page.get_by_role("slider", name="Time").bounding_box()
     page.mouse.click(ruler["x"] + 0.5 * ruler["width"], ruler["y"] + 20)
-    middle = page.evaluate("() => view.desk.seconds")
-    assert middle == pytest.approx(page.evaluate("() => view.desk.take(0).count") / 120, rel=0.1)
+    middle = desk.run("desk.seconds")
+    assert middle == pytest.approx(desk.run("desk.take(0).count") / 120, rel=0.1)
     desk.press("Onion skin at this time, or away with it")
     desk.press("Play")
     page.wait_for_function("""(before) => view.desk.seconds > before + 0.2
@@ -277,7 +281,7 @@ def test_a_pin_is_added_dragged_and_reached(desk):
     page = desk.page
     desk.open({"version": 1, "shots": [{"path": [[0, 0], [0, 1.5]], "styles": "Strut",
                                          "duration": 1.6}]})
-    page.evaluate("() => view.seek(1)")
+    desk.run("seek(1)")
     desk.press("Add a pin at this time")
     page.get_by_label("y, m").fill("1.3")
     page.get_by_label("y, m").press("Enter")
@@ -319,7 +323,7 @@ def test_a_shot_is_mirrored_reversed_cut_and_joined(desk):
     desk.press("Mirror this shot: left and right change places")
     assert desk.shots[0] == before
     desk.wait()
-    end = desk.page.evaluate("() => view.desk.take(0).course.end")
+    end = desk.run("desk.take(0).course.end")
     desk.press("Walk the path from its end to its start")
     (shot, _) = desk.shots
     assert [(p.x, p.z) for p in shot.path] == [(0.5, 1.5), (0, 1), (0, 0)]
@@ -329,8 +333,8 @@ def test_a_shot_is_mirrored_reversed_cut_and_joined(desk):
     assert shot.pins[0].at == pytest.approx(end - 0.5, abs=2e-3)
 
     desk.open(two)
-    desk.page.evaluate("() => view.seek(0.4)")
-    half = desk.page.evaluate("() => view.desk.take(0).course.distance[24]")
+    desk.run("seek(0.4)")
+    half = desk.run("desk.take(0).course.distance[24]")
     desk.press("Cut off what is before this time")
     (shot, _) = desk.shots
     assert (shot.path[0].x, shot.path[0].z) == pytest.approx((0, half), abs=0.05)
@@ -339,7 +343,7 @@ def test_a_shot_is_mirrored_reversed_cut_and_joined(desk):
     assert shot.styles[0].blend == pytest.approx({"Neutral": 0.5, "Old": 0.5})
     assert shot.holds[0].distance == pytest.approx(0.5 - half, abs=1e-3)
     desk.wait()
-    end = desk.page.evaluate("() => view.desk.take(0).course.end")
+    end = desk.run("desk.take(0).course.end")
     desk.press("Put the shot of the next character at the end of this one")
     (joined,) = desk.shots
     assert joined.path[: len(shot.path)] == shot.path
@@ -407,7 +411,7 @@ def test_a_thumb_plans_on_a_phone(visit, file):
     assert desk.shots[0].path[0].x == pytest.approx(-0.5, abs=0.05)
     ruler = page.get_by_role("slider", name="Time").bounding_box()
     drag((ruler["x"] + 30, ruler["y"] + 10), (ruler["x"] + 120, ruler["y"] + 10))
-    assert page.evaluate("() => view.desk.seconds") > 0.2
+    assert desk.run("desk.seconds") > 0.2
     page.get_by_role("button", name="Add a style key").tap()
     page.get_by_label("Style 1", exact=True).select_option("Zombie")
     assert len(desk.shots[0].styles) == 2
@@ -426,10 +430,10 @@ def test_a_change_computes_only_what_it_changes(desk):
     edits = {"shot.path[3].x = 1": 60, "shot.styles[2].blend = { Old: 1 }": 30,
              "shot.speeds[1].speed = 1.1": 0, "shot.seed = 4": 0}
     for edit, least in edits.items():
-        desk.page.evaluate("() => view.desk.motion(0)")
+        desk.run("desk.motion(0)")
         desk.wait()
         desk.page.evaluate(f"() => view.desk.change(([shot]) => void ({edit}))")
-        since = desk.page.evaluate("() => view.desk.stats.since")
+        since = desk.run("desk.stats.since")
         assert since >= least, edit
         assert desk.page.evaluate(FRESH), edit
     assert since == 0
@@ -442,7 +446,7 @@ def test_defects_are_those_of_python_and_red_on_the_timeline(desk):
          "name": "wide"}]}
     desk.open(near)
     desk.page.wait_for_function("() => view.desk.findings", timeout=60_000)
-    found = desk.page.evaluate("() => view.desk.findings")
+    found = desk.run("desk.findings")
     expected = tk.evaluation.defects([desk.clip(0), desk.clip(1)])
     assert {one["kind"] for one in found} >= {"body", "pop", "floor"}
     assert {one["joint"] for one in found} > {"left_toe", "limb and limb of 0 and 1"}

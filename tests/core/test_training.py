@@ -61,6 +61,11 @@ def quick(**changes) -> Config:
     return replace(QUICK, **changes)
 
 
+def fit(path=None, **changes) -> training.Run:
+    """A run on the waves; ``path`` is that of its checkpoint."""
+    return training.fit(waves(), quick(**changes), path)
+
+
 @contextlib.contextmanager
 def after_steps(call):
     """Inside, ``call`` gets the number of every step of a training."""
@@ -92,7 +97,7 @@ def course(run: training.Run) -> list[tuple]:
 @pytest.fixture(scope="module")
 def straight():
     """A run without a stop."""
-    return training.fit(waves(), quick(save_every=0.0))
+    return fit(save_every=0.0)
 
 
 def test_minibatches_cycle_through_styles_and_frames():
@@ -254,8 +259,7 @@ def test_without_held_out_frames_there_are_no_errors():
 
 
 def test_it_learns_more_than_both_baselines():
-    run = training.fit(waves(), quick(steps=70, sizes=WIDER, evaluate_every=35, rate=1e-2,
-                                      pose_mixup=0.0))
+    run = fit(steps=70, sizes=WIDER, evaluate_every=35, rate=1e-2, pose_mixup=0.0)
     *styles, overall = run.table()
     assert [row["style"] for row in styles] == ["style0", "style1"]
     for row in (*styles, overall):
@@ -266,7 +270,7 @@ def test_it_learns_more_than_both_baselines():
 
 
 def test_bfloat16_is_for_products_only_and_learns_as_much(straight):
-    run = training.fit(waves(), quick(precision="bf16"))
+    run = fit(precision="bf16")
     assert all(p.dtype == torch.float32 for p in run.model.parameters())
     assert not same_weights(run.model, straight.model)
     assert run.table()[-1]["error"] == pytest.approx(straight.table()[-1]["error"], rel=0.05)
@@ -373,7 +377,7 @@ def test_the_environment_alone_makes_no_second_process(tmp_path, monkeypatch):
     monkeypatch.setenv("RANK", "1")
     monkeypatch.setenv("LOCAL_RANK", "1")
     assert distributed.first()
-    training.fit(waves(), quick(steps=2), tmp_path / "checkpoint")
+    fit(tmp_path / "checkpoint", steps=2)
     assert (tmp_path / "checkpoint").exists()
 
 
@@ -382,10 +386,10 @@ def test_only_several_processes_need_lightning_fabric(monkeypatch):
     training.distributed.start.cache_clear()
     needed = r'^several processes need the extra "scale": pip install "\.\[scale\]"$'
     with pytest.raises(ImportError, match=needed):
-        training.fit(waves(), quick(processes=2))
-    assert len(training.fit(waves(), quick(steps=2)).history) == 1
+        fit(processes=2)
+    assert len(fit(steps=2).history) == 1
     with refusal(r"^1 × 'cuda:99': .+$"):
-        training.fit(waves(), quick(device="cuda:99"))
+        fit(device="cuda:99")
 
 
 def test_it_stops_early_with_the_best_weights_also_after_a_resume(tmp_path):
@@ -406,13 +410,13 @@ def test_it_stops_early_with_the_best_weights_also_after_a_resume(tmp_path):
     with refusal("to resume differs in patience: expected 4, got 3"):
         training.fit(waves(), replace(config, patience=4), path)
     with refusal(r"held_out=0\.0001 leaves none of these data"):
-        training.fit(waves(), quick(patience=3, held_out=1e-4))
+        fit(patience=3, held_out=1e-4)
 
 
 def test_the_rate_decays_on_a_cosine(monkeypatch):
     rates, step = [], loop.step
     monkeypatch.setattr(loop, "step", lambda *all_: rates.append(all_[-1]) or step(*all_))
-    training.fit(waves(), quick(steps=25))
+    fit(steps=25)
     expected = [1e-3 * (0.1 + 0.9 * (1 + math.cos(math.pi * n / 25)) / 2) for n in range(25)]
     assert rates == pytest.approx(expected)
 
@@ -436,7 +440,7 @@ def test_what_cannot_be_resumed_is_named(tmp_path):
 def parts(tmp_path_factory):
     """Tensors and numbers of a checkpoint of a run with patience."""
     path = tmp_path_factory.mktemp("whole") / "checkpoint"
-    training.fit(waves(), quick(steps=6, patience=9, evaluate_every=3), path)
+    fit(path, steps=6, patience=9, evaluate_every=3)
     return model_files.read(path, "checkpoint")
 
 
@@ -505,9 +509,9 @@ def test_impossible_configs(changes, match):
 
 def test_unknown_style_and_divergence_are_named():
     with refusal("unknown style 'style9'; close to it"):
-        training.fit(waves(), quick(styles=("style9",)))
+        fit(styles=("style9",))
     with refusal("training diverged at step"):
-        training.fit(waves(), quick(rate=1e30, max_gradient=None))
+        fit(rate=1e30, max_gradient=None)
 
 
 def test_the_recorded_model_lies_beside_the_package(tmp_path, monkeypatch):

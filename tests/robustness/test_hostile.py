@@ -105,28 +105,16 @@ PLANTED = ("<img src=x onerror=window.hacked=1>", "</script><script>window.hacke
            "<!--<script>", "$\\frac$", "a%{x}b")
 
 
-def test_no_text_from_outside_reaches_html_as_html(walk_clip, tmp_path):
-    pytest.importorskip("ipywidgets")
+def test_no_text_from_outside_is_html_or_a_formula_in_a_chart(walk_clip):
+    """Of pages: test_view.py, extra/test_director.py and the tests in a browser."""
     from course import charts
 
-    from toolkit.view import frontend
-    from toolkit.view.pages import page
     from toolkit.view.render import picture
 
-    clips = [walk_clip.cut(0, 60).replace(style=text) for text in PLANTED]
-    weights = dict.fromkeys(PLANTED, torch.ones(60))
-    written = page.html(clips, tmp_path / "page.html", title=PLANTED[0], caption=PLANTED[1],
-                        labels=PLANTED, styles=[weights] * len(clips)).read_text("utf-8")
-    assert "<img" not in written
-    data = written.split('id="data">')[1].split("</script>")[0]
-    assert "<" not in data
-    assert [clip["label"] for clip in json.loads(data)["clips"]] == list(PLANTED)
-
-    picture.strip(clips[3], labels=[PLANTED[3]])._repr_png_()  # no formula
+    picture.strip(walk_clip, labels=[PLANTED[3]])._repr_png_()  # no formula
     figure = charts.style_space(torch.rand(5, 2), PLANTED, PLANTED, title=PLANTED[0])
     assert not {text for text in PLANTED[:3] if text in json.dumps(figure.to_dict(), default=str)}
     assert "%{x}b" not in str([trace.hovertemplate for trace in figure.data])
-    assert frontend.escape(PLANTED[0]) == "&lt;img src=x onerror=window.hacked=1&gt;"
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs pipes with names")
