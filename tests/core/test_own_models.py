@@ -34,7 +34,7 @@ def test_it_learns_walks_and_blends(run):
     for row in run.table():
         assert row["error"] < 0.8 * row["mean"]
     half = bank.blend({"Neutral": 0.5, "Zombie": 0.5})
-    clip = tk.runtime.rollout(model, tk.runtime.straight(1.0, 1.0), half)
+    clip = tk.runtime.rollout(model, tk.runtime.straight(1.0, 0.5), half)
     assert clip.global_positions.isfinite().all()
     together, alone = ([*tk.runtime.states(model, tk.runtime.straight(1.0, 0.1), style)][-1]
                        for style in (bank.vectors, bank["Zombie"]))

@@ -25,18 +25,6 @@ DRAWING = {"IPython", "PIL", "anywidget", "av", "ipywidgets", "jupyter_client", 
            "plotly", "pyvista", "sklearn", "vtkmodules"}
 
 
-@pytest.fixture
-def refused(command):
-    """Calls the command line with bad input and gives the one line that it says."""
-
-    def call(words, *more):
-        said = command(words, *more, status=2).err.strip()
-        assert "\n" not in said
-        return said
-
-    return call
-
-
 def python(code: str, **options) -> subprocess.CompletedProcess:
     return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False,
                           **options)
@@ -201,16 +189,21 @@ def test_rollout_writes_what_the_suffix_says(tmp_path, small_run, command):
 
 
 def test_a_datasets_name_means_the_dataset_where_a_folder_has_that_name(tmp_path, monkeypatch,
-                                                                        refused):
+                                                                        command):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "bandai").mkdir()
     (tmp_path / "recordings").mkdir()
-    train = f"train --out {tmp_path}/new.safetensors --data"
-    said = refused(f"{train} bandai --root recordings")
+
+    def refused(data: str) -> str:
+        """The one line that is said."""
+        (said,) = command(f"train --out new.safetensors --data {data}", status=2).err.splitlines()
+        return said
+
+    said = refused("bandai --root recordings")
     assert "bandai: no matching BVH file in recordings" in said
-    assert "recordings: no file can be used; expected recordings" in refused(train, "recordings")
+    assert "recordings: no file can be used; expected recordings" in refused("recordings")
     (tmp_path / "bandai" / "manifest.json").write_text("{}", encoding="utf-8")
-    assert "bandai/manifest.json" in refused(train, "bandai")
+    assert "bandai/manifest.json" in refused("bandai")
 
 
 @pytest.mark.filterwarnings("ignore:walk.bvh: ")  # on a busy machine the training is no training

@@ -81,7 +81,7 @@ RIGHT["03b.3"] = [
 WRONG["03b.3"] = [LEG + 1, LEG + .01, 2 * LEG - UP, LEG[:2]]
 RIGHT["04.1"] = [
     dict(Aeroplane=.4, Zombie=.25, Neutral=.35), dict(Neutral=.34, Zombie=.27, Aeroplane=.39),
-    dict(Neutral=.35, Zombie=.25, Aeroplane=.4), dict(Neutral=.36, Zombie=.25, Aeroplane=.39),
+    dict(Neutral=.36, Zombie=.25, Aeroplane=.39),
 ]
 WRONG["04.1"] = [
     dict(Neutral=.25, Zombie=.25, Aeroplane=.5), dict(Neutral=1/3, Zombie=1/3, Aeroplane=1/3),
