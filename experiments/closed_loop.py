@@ -201,8 +201,8 @@ def of_clip(clip: Clip, contact: Tensor | None = None) -> dict[str, float]:
     places = clip.global_positions
     at = {part: places[:, [clip.skeleton.role(f"{side}_{part}") for side in FEET]]
           for part in ("hip", "knee", "foot", "toe", "hand")}
-    toes, ankles = ((part[1:] - part[:-1]).norm(dim=-1) * clip.fps * 100
-                    for part in (at["toe"], at["foot"]))
+    toes, ankles = (at[part].diff(dim=0).norm(dim=-1) * clip.fps * 100
+                    for part in ("toe", "foot"))
     thigh, shank = at["knee"] - at["hip"], at["foot"] - at["knee"]
     bend = R.angle(thigh, shank)
     feet = metrics.feet(clip, contact)

@@ -13,7 +13,7 @@ from toolkit.runtime.life import PERIOD, alive, uniform
     ("1 m/s", {"direction": 2.0, "toes": 0.5, "raw": 4.0}),
     ("circle", {"toes": 0.5, "raw": 4.0}),
     ("stop", {"still": 0.05, "way": 1.0}), ("stand", {"still": 0.05, "way": 1.0}),
-    ("turns", {"toes": 1.0, "knee": 35.0, "wrist": 8.0}),
+    ("turns", {"toes": 1.5, "knee": 35.0, "wrist": 8.0}),
 ])  # fmt: skip
 def test_characters_do_what_they_are_told(fast, track, most):
     model, bank = fast

@@ -43,7 +43,7 @@ def save(clip: Clip, path: str | os.PathLike) -> None:
     document = {
         "asset": {"version": "2.0", "generator": "toolkit"},
         "scene": 0,
-        "scenes": [{"name": title(clip), "nodes": [0, len(skeleton)]}],
+        "scenes": [{"name": clip.label, "nodes": [0, len(skeleton)]}],
         "nodes": nodes,
         "meshes": [{"name": "Mannequin", "primitives": [_primitive(buffer, figure)]}],
         "skins": [skin],
@@ -68,11 +68,6 @@ def _primitive(buffer: Buffer, figure) -> dict:
     return {"attributes": attributes, "indices": indices, "material": 0}
 
 
-def title(clip: Clip) -> str:
-    """Style and gait of a clip, or its name."""
-    return f"{clip.style} {clip.gait}".strip() or clip.name
-
-
 def animate(document: dict, buffer: Buffer, clip: Clip, nodes: Sequence[int], rotations: Tensor,
             places: np.ndarray) -> None:
     """Give nodes the pose of a clip's first frame, and the document an animation of the clip.
@@ -95,4 +90,4 @@ def animate(document: dict, buffer: Buffer, clip: Clip, nodes: Sequence[int], ro
         channels.append({"sampler": len(samplers), "target": {"node": node, "path": what}})
         samplers.append({"input": times, "output": buffer.add(values.astype(np.float32)),
                          "interpolation": "LINEAR"})
-    document["animations"] = [{"name": title(clip), "samplers": samplers, "channels": channels}]
+    document["animations"] = [{"name": clip.label, "samplers": samplers, "channels": channels}]

@@ -40,35 +40,34 @@ def velocities(places: np.ndarray, moving: np.ndarray, wanted: np.ndarray,
         Least distance from a wall, metres.
     """
     count = len(places)
-    _, near = cKDTree(places).query(places, k=min(NEIGHBOURS + 1, count),
-                                    distance_upper_bound=SIGHT)
+    tree = cKDTree(places)
+    _, near = tree.query(places, k=min(NEIGHBOURS + 1, count), distance_upper_bound=SIGHT)
     near = near.reshape(count, -1)[:, 1:]
     there = near < count
     near = np.where(there, near, 0)
     radii = np.broadcast_to(radii, count)
     apart = radii[:, None] + radii[near]
-    places, moving, wanted = map(_complex, (places, moving, wanted))
     to = places[near] - places[:, None]
-    close = abs(to) < apart + CLOSE
+    close = np.linalg.norm(to, axis=-1) < apart + CLOSE
     normal, least = _half_planes(to, moving[:, None] - moving[near], apart)
-    least = np.where(there, _dot(normal, moving[:, None]) + least / 2, -np.inf)
+    least = np.where(there, (normal * moving[:, None]).sum(-1) + least / 2, -np.inf)
     free = np.ones(count, bool)
     if walls is not None and len(walls):
-        off = np.stack([to_wall(places, *wall) for wall in _complex(walls)], 1)
-        away = np.maximum(abs(off), 1e-6)
+        off = np.stack([to_wall(places, *wall) for wall in walls], 1)
+        away = np.maximum(np.linalg.norm(off, axis=-1), 1e-6)
         free = (away > ROOM).all(1)
-        normal = np.concatenate((normal, -off / away), 1)
-        least = np.concatenate((least, (margin - away) / BRAKE), 1)
+        still, bound = -off / away[..., None], (margin - away) / BRAKE
+        normal, least = np.concatenate((normal, still), 1), np.concatenate((least, bound), 1)
     velocity = _sidestepped(wanted, wanted[near], to, there & free[:, None] & close)
     force = np.zeros_like(least)
     for _ in range(SWEEPS):
         for k in range(force.shape[1]):
             soft = SOFT if k < near.shape[1] else 0.0
-            short = least[:, k] - _dot(normal[:, k], velocity)
+            short = least[:, k] - (normal[:, k] * velocity).sum(-1)
             more = np.maximum((short - soft * force[:, k]) / (1 + soft), -force[:, k])
             force[:, k] += more
-            velocity += more * normal[:, k]
-    return velocity[:, None].view(float)
+            velocity += more[:, None] * normal[:, k]
+    return velocity
 
 
 def parted(places: np.ndarray, radii: np.ndarray, walls: np.ndarray, margin: float) -> np.ndarray:
@@ -77,68 +76,67 @@ def parted(places: np.ndarray, radii: np.ndarray, walls: np.ndarray, margin: flo
 
     Characters do not walk exactly as they are told to, so velocities alone do not keep them apart.
     """
-    moved, apart = _complex(places), radii[:, None] + radii + SPARE
+    moved, apart = places.copy(), radii[:, None] + radii + SPARE
     for _ in range(PASSES):
-        for start, end in _complex(walls):
+        for start, end in walls:
             to = to_wall(moved, start, end)
-            away = np.maximum(abs(to), 1e-6)
+            away = np.maximum(np.linalg.norm(to, axis=-1, keepdims=True), 1e-6)
             moved -= to / away * np.maximum(margin - away, 0.0)
-        distance = abs(moved[:, None] - moved)
+        distance = np.linalg.norm(moved[:, None] - moved, axis=-1)
         close = np.argwhere(np.triu(distance < apart - SPARE / 2, 1))
         if not len(close):
             break
         for a, b in close:
             to = moved[b] - moved[a]
-            size = max(abs(to), 1e-6)
+            size = max(np.hypot(*to), 1e-6)
             push = to / size * max(apart[a, b] - size, 0.0) / 2
             moved[a] -= push
             moved[b] += push
-    return moved[:, None].view(float)
+    return moved
 
 
-def to_wall(places: np.ndarray, start: complex, end: complex) -> np.ndarray:
-    """From places ``[N]`` to the nearest points of a wall."""
+def to_wall(places: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.ndarray:
+    """From places ``[N, 2]`` to the nearest points of a wall."""
     way = end - start
-    share = np.clip(_dot(places - start, way) / abs(way) ** 2, 0.0, 1.0)
-    return start + share * way - places
+    share = np.clip((places - start) @ way / (way @ way), 0.0, 1.0)
+    return start + share[:, None] * way - places
 
 
 def _sidestepped(wanted: np.ndarray, theirs: np.ndarray, to: np.ndarray,
                  there: np.ndarray) -> np.ndarray:
-    """Wanted velocities ``[N]``, to the right where a neighbour in front wants to come nearer.
+    """Wanted velocities ``[N, 2]``, to the right where a neighbour in front wants to come nearer.
 
     Ours: without it, those who meet in one place stand against each other for ever.
     """
-    meets = there & (_dot(to, wanted[:, None]) > 0) & (_dot(to, theirs) < 0)
-    return wanted * np.exp(1j * np.where(meets.any(1), ASIDE, 0.0))
+    meets = there & ((to * wanted[:, None]).sum(-1) > 0) & ((to * theirs).sum(-1) < 0)
+    turn = np.where(meets.any(1), ASIDE, 0.0)
+    return _turned(wanted, np.cos(turn), np.sin(turn))
+
+
+def _turned(vectors: np.ndarray, cos: np.ndarray, sin: np.ndarray) -> np.ndarray:
+    """Vectors ``[..., 2]``, turned from x towards z."""
+    x, z = vectors[..., 0], vectors[..., 1]
+    return np.stack((cos * x - sin * z, sin * x + cos * z), -1)
 
 
 def _half_planes(to: np.ndarray, relative: np.ndarray,
                  apart: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Normals ``[...]``, and least changes ``[...]`` of relative velocities, to avoid places.
+    """Normals ``[..., 2]``, and least changes ``[...]`` of relative velocities, to avoid places.
 
     The velocities that collide within `HORIZON` are a cone with its apex at zero, cut off by a
     circle of the radius ``apart / HORIZON``. The change leads to the nearest point of its border.
     """
-    distance = np.maximum(abs(to), 1e-6)
+    distance = np.maximum(np.linalg.norm(to, axis=-1), 1e-6)
     close = distance < apart
-    within = np.where(close, AT_ONCE, HORIZON)
-    off = relative - to / within
-    length = np.maximum(abs(off), 1e-9)
+    within = np.where(close, AT_ONCE, HORIZON)[..., None]
+    centre = to / within
+    off = relative - centre
+    length = np.maximum(np.linalg.norm(off, axis=-1), 1e-9)
+    normal, change = off / length[..., None], apart / within[..., 0] - length
     leg = np.sqrt(np.maximum(distance**2 - apart**2, 0.0))
-    beside = ~close & (_dot(off, to) > -apart * length)  # nearer to a side than to the circle
-    side = np.where((to.conj() * off).imag >= 0, 1.0, -1.0)
+    beside = ~close & ((off * to).sum(-1) > -apart * length)  # nearer to a side than to the circle
+    side = np.where(to[..., 0] * off[..., 1] - to[..., 1] * off[..., 0] >= 0, 1.0, -1.0)
     # the side is a line from zero that touches the circle; its normal is perpendicular to it
-    out = to * (side * 1j * leg - apart) / distance**2
-    return (np.where(beside, out, off / length),
-            np.where(beside, -_dot(relative, out), apart / within - length))
-
-
-def _complex(pairs: np.ndarray) -> np.ndarray:
-    """Pairs (x, z) ``[..., 2]`` as complex numbers, a copy; ``.view(float)`` leads back."""
-    return pairs[..., 0] + 1j * pairs[..., 1]
-
-
-def _dot(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Dot products of vectors that are complex numbers."""
-    return (a.conj() * b).real
+    out = _turned(to, -apart / distance**2, side * leg / distance**2)
+    normal = np.where(beside[..., None], out, normal)
+    return normal, np.where(beside, -(relative * out).sum(-1), change)

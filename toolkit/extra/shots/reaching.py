@@ -51,7 +51,7 @@ def pinned(skeleton: Skeleton, rotations: Tensor, root: Tensor,
     steps, before = forward_kinematics(skeleton, rotations[chosen], root[chosen])
     turned, p = forward_kinematics(skeleton, local, place)
     left = R.normalize(p[:, skeleton.role("left_hip")] - p[:, skeleton.role("right_hip")])
-    down = left.new_tensor([0.0, -1.0, 0.0])
+    down = left.new_tensor([0.0, -1.0, 0.0]).expand_as(left)
     back = torch.linalg.cross(down, left)
 
     def carried(pin: Pin) -> Tensor:
@@ -86,8 +86,8 @@ def pinned(skeleton: Skeleton, rotations: Tensor, root: Tensor,
     shares = {j: (k + 1) / len(spine) for k, j in enumerate(spine)}
     legs = {skeleton.role(f"{side}_hip") for side in FEET}
     for j in range(1, len(skeleton)):
-        above = skeleton.tree.up(j)
-        if legs.intersection(above):
+        above = [j, *skeleton.ancestors(j)]
+        if legs & set(above):
             turned[:, j] = steps[:, j]
         else:
             shares[j] = next(shares[i] for i in above if i in shares)
@@ -98,7 +98,7 @@ def pinned(skeleton: Skeleton, rotations: Tensor, root: Tensor,
 
     # the head turns to what is looked at
     head = skeleton.neck[-1]
-    ahead = R.rotate(turned[:, head], skeleton.facing_axis.to(root))
+    ahead = R.rotate(turned[:, head], skeleton.facing_axis.to(root).expand(len(place), 3))
     aim = torch.zeros_like(place)
     for pin, w in parts["look"][0]:
         way = _looked(ahead, root.new_tensor(pin.look) - p[:, head])
@@ -123,7 +123,7 @@ def pinned(skeleton: Skeleton, rotations: Tensor, root: Tensor,
         keep = goals[limb][1] > 0
         aims = R.between(b - a, upper), R.between(c - b, lower)
         for j in skeleton.tree.below(joints[0]):
-            aim = aims[int(joints[1] in skeleton.tree.up(j))]
+            aim = aims[int(joints[1] in (j, *skeleton.ancestors(j)))]
             turned[:, j] = torch.where(keep, R.multiply(aim, turned[:, j]), turned[:, j])
 
     # feet stay where they stepped, or go to their pins
@@ -150,7 +150,7 @@ def _limb(skeleton: Skeleton, side: str, kind: str) -> list[int]:
 def _posed(skeleton: Skeleton, local: Tensor, root: Tensor,
            found: list[tuple[Pin, Tensor]]) -> tuple[Tensor, Tensor]:
     """Poses blended towards those of pins, where they are and as they face."""
-    facing = R.rotate(local[:, 0], skeleton.facing_axis.to(root))
+    facing = R.rotate(local[:, 0], skeleton.facing_axis.to(root).expand(len(root), 3))
     heading = R.yaw(torch.atan2(facing[:, 0], facing[:, 2]))
     mixed, height = local, root[:, 1]
     for pin, w in found:
@@ -173,8 +173,9 @@ def _leaned(skeleton: Skeleton, p: Tensor, spine: list[int],
     Joint k of the K of the spine turns by k / K of it. What a shoulder lacks is added to both,
     arm after arm, `ROUNDS` times.
     """
-    bend = move = torch.zeros_like(p[:, 0])
-    sink, bones = bend[:, :1], p[:, spine].diff(dim=1).unbind(1)
+    bend, sink = torch.zeros_like(p[:, 0]), torch.zeros_like(p[:, 0, :1])
+    move, bones = torch.zeros_like(bend), [b - a for a, b in zip(
+        (p[:, j] for j in spine), (p[:, j] for j in spine[1:]), strict=False)]
 
     def shifted() -> Tensor:
         # hips that move aside sink as far as straight legs need
@@ -216,7 +217,9 @@ def _lack(way: Tensor, a: Tensor, b: Tensor, c: Tensor) -> tuple[Tensor, Tensor]
 
 def _arc(a: Tensor, b: Tensor) -> Tensor:
     """Rotation vector ``[F, 3]`` of the shortest turn from a direction to another."""
-    return R.angle(a, b)[..., None] * R.normalize(torch.linalg.cross(a, b))
+    axis = torch.linalg.cross(a, b)
+    size = axis.norm(dim=-1, keepdim=True)
+    return torch.atan2(size, (a * b).sum(-1, keepdim=True)) * axis / size.clamp_min(1e-9)
 
 
 def _swung(a: Tensor, b: Tensor, aside: Tensor, w: Tensor) -> Tensor:
@@ -245,4 +248,5 @@ def _limited(v: Tensor, most: float) -> Tensor:
 
 def _turn(v: Tensor) -> Tensor:
     """The rotation of a rotation vector."""
-    return R.from_axis_angle(R.normalize(v), v.norm(dim=-1))
+    size = v.norm(dim=-1, keepdim=True)
+    return R.from_axis_angle(v / size.clamp_min(1e-9), size[..., 0])
