@@ -32,6 +32,7 @@ ASIDE, PASSED, CROSSING = 0.05, 0.15, 1.5
 PUSH = 2.0  # m/s, at which a foot is pushed out at most
 BOTH = 0.99  # contact of both feet from which the body stands on both
 UNEVEN, SUNK = 0.02, 0.01  # metres that a toe may be over and under the height of standing toes
+HEEL = 1.5  # from heel to toe, over from ankle to toe
 LEVEL = 0.2  # seconds: time constant with which a larger distance decays to it
 SWIVEL = 0.8  # radians by which a standing foot may be turned from its prediction
 SETTLE = 0.04  # m/s, at which toes of a body on both feet go to the height of standing toes
@@ -148,7 +149,7 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, wa
     # Toes that are too high or too low settle: of a body on both feet, and a locked one far off.
     both = (contacts.amin(-1, keepdim=True) > BOTH)[..., None]
     down = (ground - predicted - now)[..., 1:2]
-    high = -down - UNEVEN - raised[..., None].clamp_min(0.0)
+    high = -down - UNEVEN - HEEL * raised[..., None].clamp_min(0.0)
     far = torch.maximum(high, down - SUNK).clamp_min(0.0) * (both | held)
     most = (SETTLE * both.to(far) + far / LEVEL) * seconds
     down = down.clamp(-most, most)

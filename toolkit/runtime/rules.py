@@ -19,7 +19,7 @@ Rules = namedtuple("Rules", """
     fps gain fastest spin correction jump lift ground
     proportional integral max_drive stand_still slow low sideways sideways_sum forget asked
     moves standing starting may_stand aligned stands
-    slack near let_go pull soft swing room deepest fall both settle uneven sunk level
+    slack near let_go pull soft swing room deepest fall both settle uneven sunk heel level
     swivel aside passed crossing push landing lifted""")
 Rules.__doc__ = "Columns of x and z, joints of the legs, constants of the runtime and of foot IK."
 
@@ -79,6 +79,7 @@ def rules_of(model) -> Rules:
         settle=ik.SETTLE / trajectory.FPS,
         uneven=ik.UNEVEN,
         sunk=ik.SUNK,
+        heel=ik.HEEL,
         level=1 / (ik.LEVEL * trajectory.FPS),
         swivel=ik.SWIVEL,
         aside=ik.ASIDE,

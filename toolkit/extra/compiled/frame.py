@@ -216,7 +216,8 @@ def _foot_lock(toes, drift, before, predicted, was, contacts, left, raised, rule
         now = ik.plus(now, inwards, -over)
         # toes of a body on both feet go to the ground, and a locked toe far off it
         down = rules.ground - there[1] - now[1]
-        far = max(-down - rules.uneven - max(raised[side], 0.0), down - rules.sunk, 0.0)
+        high = -down - rules.uneven - rules.heel * max(raised[side], 0.0)
+        far = max(high, down - rules.sunk, 0.0)
         far = far * rules.level if most > 0.0 or held else 0.0
         down = min(max(down, -most - far), most + far)
         now = now[0], now[1] + down, now[2]

@@ -143,7 +143,7 @@ export function footLock(old, next, raised, rules) {
     const apart = (other[0] - there[0]) * inwards[0] + (other[2] - there[2]) * inwards[1];
     const over = Math.max(now[0] * inwards[0] + now[2] * inwards[1] - Math.max(apart / 4, rules.near), 0);
     const up = rules.ground - there[1] - now[1];
-    const far = most || held ? Math.max(-up - rules.uneven - Math.max(raised[side], 0), up - rules.sunk, 0) : 0, limit = most + far * rules.level;
+    const far = most || held ? Math.max(-up - rules.uneven - rules.heel * Math.max(raised[side], 0), up - rules.sunk, 0) : 0, limit = most + far * rules.level;
     now = [now[0] - over * inwards[0], now[1] + clamp(up, -limit, limit), now[2] - over * inwards[1]];
     for (const i of [0, 1, 2])
       next.drift[3 * side + i] = shares[i] > 0 ? (now[i] - offset[i]) / seconds
