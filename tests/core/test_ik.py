@@ -111,7 +111,7 @@ def held_slowly(toe, drift, before, predicted, raised, other, bears, was, contac
     now = now - max(0.0, float(now @ inwards) - limit) * inwards
     up = 0.02 - float((predicted + now)[1])  # to a ground at 2 cm
     most = 0.04 * seconds if both else 0.0
-    allowed = 0.01 if up > 0 else 0.02 + 1.5 * max(raised, 0.0)
+    allowed = 0.01 if up > 0 else 0.02 + 2 * max(raised, 0.0)
     if (both or contact > 0.5) and abs(up) > allowed:
         most += (abs(up) - allowed) * seconds / 0.2
     now[1] += min(max(up, -most), most)
