@@ -3,6 +3,7 @@ import math
 import re
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,7 +12,7 @@ from hypothesis import given, strategies as st
 from refusal import refusal
 
 import toolkit as tk
-from toolkit.extra.shots import Scene, Shot, apart, pins, reaching
+from toolkit.extra.shots import Scene, Shot, apart, crowd, feasibility, pins, reaching
 from toolkit.extra.shots.feasibility import arrival, beside
 from toolkit.extra.shots.following import FPS, Course, Curve, nearest
 from toolkit.extra.shots.scene import _aimed, _limited
@@ -137,6 +138,16 @@ def test_check_names_a_gate_to_which_too_many_come_at_once(fast):
               for shot in many]  # not through the gate
     for shots in (later, beside):
         assert Scene(shots, 1.2, walls)._gaps(fast[1]) == []
+
+
+def test_radius_of_a_circle_and_ways_of_neighbours_on_rings():
+    circle = [(3 * math.sin(0.2 * k), 3 * math.cos(0.2 * k)) for k in range(16)]
+    found = feasibility.radius(SimpleNamespace(curve=Curve(circle, smooth=True)), 4.0)
+    assert found == pytest.approx(3.0, rel=0.02)
+    rings, _, ways = crowd.places(30)
+    kinds = sorted(set(zip(rings.tolist(), ways.tolist(), strict=True)))
+    assert [way for _, way in kinds] == [(-1.0) ** k for k in range(len(kinds))]
+    assert len(kinds) > 1
 
 
 def test_velocities_of_those_who_keep_apart():
