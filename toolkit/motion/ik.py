@@ -26,13 +26,13 @@ RETURN = 10.0  # per second: decay of a released toe's offset from its predictio
 ROOM = 0.035  # of a leg's length: over twice this, hips begin to sink gently
 DEEPEST = 0.115  # of a leg's length: hips sink at most so far
 FALL = 0.6  # m/s, at which they sink at most
-# Of a leg's length: least distance sideways of an ankle that passes the other, and how far before
-# it an ankle has passed; metres by which the former may fall for each that it is farther ahead.
+# Ankles are at least ASIDE of a leg's length apart sideways, until one is PASSED of it ahead of the
+# other; for each metre more, this least distance falls by CROSSING metres.
 ASIDE, PASSED, CROSSING = 0.05, 0.15, 1.5
 PUSH = 2.0  # m/s, at which a foot is pushed out at most
 BOTH = 0.99  # contact of both feet from which the body stands on both
 UNEVEN, SUNK = 0.02, 0.01  # metres that a toe may be over and under the height of standing toes
-HEEL = 2.0  # from heel to toe, over from ankle to toe: generous
+HEEL = 2.0  # length from heel to toe, over that from ankle to toe; generous
 LEVEL = 0.2  # seconds: time constant with which a larger distance decays to it
 SWIVEL = 0.8  # radians by which a standing foot may be turned from its prediction
 SETTLE = 0.04  # m/s, at which toes of a body on both feet go to the height of standing toes
@@ -280,9 +280,10 @@ def uncross(ankles: Tensor, left: Tensor, length: Tensor, contacts: Tensor,
             seconds: float) -> Tensor:
     """Wanted ankles ``[..., 2, 3]``, of which one in the air passes beside the other.
 
-    Where a body turns or goes aside, predicted feet pass through the one that stands. Ankles of
-    recorded walks, runs and turns are `ASIDE` of a leg's length or more apart sideways, until one
-    is `PASSED` before the other; further on, legs cross. A foot is pushed out by at most `PUSH`.
+    Where a body turns or goes aside, predicted feet pass through the one that stands. Recorded
+    ankles that pass are `ASIDE` of a leg's length or more apart sideways in 95 % of the frames of
+    walks, runs and turns. Farther ahead than `PASSED`, legs may cross. A foot is pushed out at most
+    with `PUSH`. This rule is ours, too.
 
     Parameters
     ----------

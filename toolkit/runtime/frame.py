@@ -226,8 +226,9 @@ def leg_joints(layout: Layout) -> list[int]:
 def planted(model, state: CharacterState, new: CharacterState) -> CharacterState:
     """The frame ``new``, which follows ``state``, after foot lock and foot IK."""
     layout, ground = model.layout, getattr(model, "ground", GROUND)
-    before, toes = (predicted_toes(layout, s) for s in (state, new))
-    feet = [_rotations(layout, s)[:, leg_joints(layout)[1::3]] for s in (state, new)]
+    legs, worlds = leg_joints(layout), [world_joints(layout, s) for s in (state, new)]
+    before, toes = (world["position"][:, legs[2::3]] for world in worlds)
+    feet = [_rotations(world)[:, legs[1::3]] for world in worlds]
     swivel = hold_feet(state.swivel, *feet, new.contacts, 1 / FPS)
     soles = layout.skeleton.offsets[[layout.skeleton.role(f"{side}_toe") for side in FEET]].to(toes)
     raised = (R.rotate(feet[1], soles) - soles)[..., 1]
@@ -250,7 +251,7 @@ def pose(
     """
     layout: Layout = getattr(model, "layout", model)
     skeleton, world = layout.skeleton, world_joints(layout, state)
-    rotation = _rotations(layout, state)[:, skeleton.feature_of]
+    rotation = _rotations(world)[:, skeleton.feature_of]
     if feet:
         rotation = swivelled(skeleton, rotation, state.swivel)
     local = local_rotations(skeleton, rotation)
@@ -275,9 +276,8 @@ def world_joints(layout: Layout, state: CharacterState) -> dict[str, Tensor]:
     return split_joints(seen_from(state.joints, *state.root.split(2, -1)))
 
 
-def _rotations(layout: Layout, state: CharacterState) -> Tensor:
-    """World rotations ``[B, J, 4]`` of the pose."""
-    world = world_joints(layout, state)
+def _rotations(world: dict[str, Tensor]) -> Tensor:
+    """World rotations ``[B, J, 4]`` of a pose from `world_joints`."""
     return R.from_forward_up(world["forward"], world["up"])
 
 
@@ -286,11 +286,11 @@ def _with_legs(layout: Layout, state: CharacterState) -> CharacterState:
 
     The ``drop`` of the argument is that of the frame before.
     """
-    skeleton = layout.skeleton
+    skeleton, world = layout.skeleton, world_joints(layout, state)
     legs, drop, toes = solve_legs(
         skeleton,
-        _rotations(layout, state)[:, skeleton.feature_of],
-        world_joints(layout, state)["position"][:, 0],
+        _rotations(world)[:, skeleton.feature_of],
+        world["position"][:, 0],
         state.toes,
         state.contacts,
         state.drop,

@@ -117,7 +117,7 @@ export function steer(old, command, rules, x, next) {
 }
 
 // where the pose has the toes, world, right and left
-export function toes({ history, joints }, rules) {
+function toes({ history, joints }, rules) {
   const [x, z, sin, cos] = history.subarray(history.length - 4), [s, c] = unit([sin, cos]);
   return rules.legs.map(([, , joint]) => {
     const [px, py, pz] = three(joints, rules.width * joint);
