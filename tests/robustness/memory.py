@@ -59,6 +59,8 @@ def run(
         client.stop_channels()
         manager.shutdown_kernel(now=True)
         folder.cleanup()
+    if len(megabytes) < 4:
+        raise ValueError(f"{hours:g} hours are too short for four cycles: got {len(megabytes)}")
     half = megabytes[len(megabytes) // 2:]
     slope, _, least, most = scipy.stats.theilslopes(half)
     row = {"cycles": len(megabytes), "minutes": (time.monotonic() - began) / 60,
