@@ -410,6 +410,18 @@ def test_fbx_curves_between_keys(tmp_path):
     assert made.root_positions[[1, 5], 2].numpy() == pytest.approx(between, abs=1e-4)
 
 
+def test_a_joint_may_have_no_size_and_a_file_one_frame_a_second(tmp_path):
+    """A joint that is scaled to a point has no place for the scale of its child to leave out."""
+    models = {"a": ("", {}), "b": ("a", {"Lcl_Scaling": [0.0] * 3}),
+              "c": ("b", {"InheritType": [2], "Lcl_Scaling": [2.0] * 3})}
+    turns = {("a", "Lcl Rotation", "X"): (np.arange(3.0), np.arange(3.0), [4] * 3,
+                                          np.zeros((3, 4)))}
+    scene = fbx_scene(models, turns, settings={"TimeMode": [14], "CustomFrameRate": [1.0]})
+    read = fbx_reader.Scene(scene)
+    assert [node.scale[0].tolist() for node in read.nodes({})] == [[1.0] * 3, [0.0] * 3, [2.0] * 3]
+    assert read.recording(None).fps == 1
+
+
 @pytest.mark.parametrize(("flag", "second"), [(0, fbx_reader.NEW_SECOND),
                                               (127, fbx_reader.SECOND)])
 def test_a_flag_says_how_long_the_second_of_an_fbx_file_is(tmp_path, flag, second):
@@ -468,6 +480,16 @@ def test_our_motion_through_smpl_poses_and_back(smpl, tmp_path, width):
         assert (places - smpl.root_positions).abs().max() < 1e-6
         assert made.names[:22] == npz.BODY
         assert len(made.names) == (24 if width == 72 else 22)
+
+
+def test_smpl_poses_in_two_arrays_are_those_in_one(smpl, tmp_path):
+    poses = axis_angles(smpl.rotations).flatten(1)
+    for root, body in (("root_orient", "pose_body"), ("global_orient", "body_pose")):
+        arrays = {root: poses[:, :3], body: poses[:, 3:], "trans": smpl.root_positions}
+        made = npz.read(written(tmp_path / "a.npz", packed(**arrays, mocap_framerate=60.0)))
+        assert (made.rotations - smpl.rotations).abs().max() < 1e-5
+        arrays[body] = arrays[body][1:]
+        refused(npz.read, written(tmp_path / "b.npz", packed(**arrays)), "differ in their frames")
 
 
 def test_our_motion_through_joint_positions_and_back(smpl, tmp_path):
@@ -542,6 +564,10 @@ def test_numpy_files_that_unpack_to_much_more(tmp_path):
             b"'shape': (1000000000000, 263), }")
     refused(npz.read, written(tmp_path / "b.npy", head.ljust(127) + b"\n" + b"\0" * 64),
             "not a whole NumPy file .*Unable to allocate")
+
+
+def test_two_keys_have_a_rate():
+    assert key_times.frame_rate([np.array([0.0, 0.05])], 30.0) == 20.0
 
 
 def test_tables_of_the_formats_are_what_they_were(unchanged):

@@ -73,6 +73,7 @@ class CellWidget(widgets.Widget):
             if run != parent["header"]["msg_id"]:
                 for widget in list(made):
                     widget.close()
+                    _forget(widget)
                 made = weakref.WeakSet()
                 self._made[cell] = parent["header"]["msg_id"], made
             made.add(self)
@@ -110,6 +111,16 @@ class SceneWidget(CellWidget, PageWidget):
     """A widget that the code of the scene draws."""
 
     code = traitlets.Unicode(static("scene.js")).tag(sync=True)
+
+
+def _forget(result: object) -> None:
+    """Take a result out of IPython's, which hold it in ``Out`` and under names such as ``_1``."""
+    shell = kernel().shell
+    results = shell.user_ns["_oh"]
+    for number in [number for number, kept in results.items() if kept is result]:
+        del results[number]
+        for names in (shell.user_ns, shell.user_ns_hidden):
+            names.pop(f"_{number}", None)
 
 
 def _parts(widget: widgets.Widget) -> Iterator[widgets.Widget]:
