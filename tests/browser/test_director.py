@@ -4,14 +4,17 @@ import copy
 import dataclasses
 import math
 
+import numpy as np
 import pytest
 import torch
 
 import toolkit as tk
+from toolkit.extra import shots
 from toolkit.extra.characters.character import Character
 from toolkit.extra.shots import director, pins
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime.recording import joined
+from toolkit.view.pages import live_page
 
 from .conftest import COMMENT, PLANTED, SIZES, shows_as_text, touches, visits
 
@@ -209,6 +212,37 @@ def test_those_who_keep_apart_walk_as_in_python(desk, double):
         desk.page.evaluate(f"() => view.desk.change((shots) => void {near})")
     desk.press("Undo")
     assert desk.run("desk.scene") == before
+
+
+def test_of_another_model_the_page_plays_what_the_kernel_renders(desk, double):
+    """The embedded model's motion, but the page has no network."""
+    scene = SHORT | {"shots": [ODD["pinned"]]}
+    desk.open(scene, DONE)
+    (clip,) = shots.Scene.parse(scene).render(*double)
+    motion = {"scene": scene, "takes": [live_page.numbers(director.frames(clip))]}
+    found = desk.page.evaluate("""([motion, other]) => {
+        const { desk } = view, data = { ...desk.data, network: null };
+        const one = new desk.constructor(data, desk.scene, () => {}), waits = [one.pose(0, 0)];
+        let refused = [];
+        for (const act of [() => one.motion(0), () => one.filled({ ...motion, problem: "bad" })])
+            try { act(); } catch ({ message }) { refused.push(message); }
+        one.filled({ ...motion, scene: other });
+        waits.push(one.making.length);
+        one.filled(motion);
+        const frames = one.motion(0).length, joints = one.joints(0, 60), pins = one.missedPins(0);
+        const gap = one.takes[0].apart.map((v, f) => Math.abs(v - desk.takes[0].apart[f]));
+        one.change(([shot]) => void (shot.path[1].x = 2));  // the old motion on the new plan
+        const { course: { curve }, places } = one.take(0);
+        waits.push(one.making[0] === one.take(0), places.length, curve.point(curve.length)[0]);
+        return { waits, refused, frames, joints, pins, own: desk.missedPins(0),
+                 gap: Math.max(...gap) };
+    }""", [motion, scene | {"shots": [ODD["looks"]]}])
+    assert found["waits"] == [None, 1, True, len(clip), pytest.approx(2)]
+    assert found["refused"] == ["the kernel has not rendered it yet", "bad"]
+    assert found["frames"] == len(clip)
+    assert np.array(found["joints"]) == pytest.approx(clip.global_positions[60].numpy(), abs=1e-5)
+    assert found["pins"] == found["own"]
+    assert found["gap"] < 0.1  # the hips beside the root
 
 
 def test_a_path_is_drawn_and_its_points_are_dragged(desk):

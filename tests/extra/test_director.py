@@ -5,7 +5,6 @@ import json
 import pytest
 import torch
 import traitlets
-from refusal import refusal
 
 import toolkit as tk
 from toolkit import __main__ as line
@@ -54,14 +53,24 @@ def test_a_scene_that_is_not_valid_is_refused_in_one_line(desk, changes, said):
     assert desk.scene == before
 
 
-def test_another_model_is_refused_in_a_notebook_and_recorded_in_a_page(tmp_path):
+def test_the_kernel_renders_what_does_not_run_in_a_page(tmp_path):
     model, bank = tk.pretrained()
     other = tk.networks.build("pfnn-film", model.layout, 2, model.sizes)
-    with refusal("only lpn-film runs in a page, got pfnn-film"):
-        Director(other, bank)
+    few, vectors = bank.names[:2], torch.zeros(2, other.style_size)
+    shot = Shot([(0, 0), (0, 1)], few[0], name="to the door", duration=0.2)
+    own = Director(other, StyleBank(few, vectors), [shot])
+    assert not {"network", "start"} & own.data.keys()
+    for weight in other.parameters():
+        weight.data.fill_(float("nan"))
+    before, own.shots = own.motion, [shot, shot]
+    assert (before["scene"], own.motion["scene"]) == (tk.shots.data([shot]), own.scene)
+    assert "takes" not in own.motion
+    assert "finite" in own.motion["problem"]
+    own.close()
     # a page plays what Python renders of it
     few, vectors = bank.names[:2], torch.zeros(2, other.style_size)
     shot = Shot([(0, 0), (0, 1)], few[0], name="to the door", duration=0.2)
+    other = tk.networks.build("pfnn-film", model.layout, 2, model.sizes)
     found = director.web(other, StyleBank(few, vectors), tmp_path / "desk.html", [shot])
     text = found.read_text(encoding="utf-8")
     assert "Recorded shots: the model pfnn-film cannot run in a page." in text

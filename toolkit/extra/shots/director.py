@@ -2,14 +2,17 @@
 characters that walk it.
 
 The browser computes what it shows, with the runtime of a page (`toolkit.view.pages.live_page`), in
-a notebook too. The kernel keeps the shots as data and renders them.
+a notebook too; the kernel keeps the shots as data. Of a model that does not run in a page, the
+kernel renders the shots after each change, and the browser plays them.
 """
 
+import asyncio
 import os
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
+import torch
 import traitlets
 
 from toolkit.extra import shots
@@ -24,12 +27,13 @@ from toolkit.extra.shots import (
     scene,
 )
 from toolkit.io.save import figure_of
-from toolkit.motion import Clip
-from toolkit.view.frontend import SceneWidget
+from toolkit.motion import Clip, contacts, root_frames, rotations as R
+from toolkit.view.frontend import SceneWidget, running_loop
 from toolkit.view.pages import live_page, page
 from toolkit.view.render.skin import Character, Figure
 
 START = (0, 0), (0.6, 2), (-0.6, 4), (0, 6)  # the path of the first shot
+REST = 0.1  # seconds without a change before the kernel renders
 
 
 class Director(SceneWidget):
@@ -39,7 +43,8 @@ class Director(SceneWidget):
     Parameters
     ----------
     model, bank
-        An LPN-FiLM and its style bank, e.g. of `toolkit.pretrained`.
+        A model and its style bank, e.g. of `toolkit.pretrained`. An LPN-FiLM runs in the page;
+        another model's motion comes from the kernel, and later after a change.
     shots
         The first shots, one per character, or a `toolkit.extra.shots.Scene`; by default one shot
         along a short path.
@@ -58,7 +63,10 @@ class Director(SceneWidget):
 
     data = traitlets.Dict().tag(sync=True)
     scene = traitlets.Dict().tag(sync=True)
+    motion = traitlets.Dict().tag(sync=True)  # a scene as the kernel rendered it; or the problem
     height = traitlets.Int(760, min=300).tag(sync=True)
+
+    _later: asyncio.TimerHandle | None = None
 
     def __init__(self, model, bank, shots: Iterable[Shot] | Scene | None = None, *,
                  height: int = 760, character: Character = None):
@@ -84,8 +92,30 @@ class Director(SceneWidget):
 
     def close(self) -> None:
         """Remove the widget; its shots stay."""
+        if self._later is not None:
+            self._later.cancel()
         super().close()
-        self.data = {}
+        self.data = self.motion = {}
+
+    @traitlets.observe("scene")
+    def _changed(self, _change: dict) -> None:
+        if live_page.runs(self._model):
+            return
+        if self._later is not None:
+            self._later.cancel()
+        loop = running_loop()
+        self._later = loop and loop.call_later(REST, self._move)
+        if loop is None:
+            self._move()
+
+    def _move(self) -> None:
+        """Render the scene for the page."""
+        made = {"scene": self.scene}
+        try:
+            clips = Scene.parse(self.scene).render(self._model, self._bank)
+            self.motion = made | {"takes": [live_page.numbers(frames(clip)) for clip in clips]}
+        except ValueError as error:
+            self.motion = made | {"problem": str(error)}
 
     @traitlets.validate("scene")
     def _valid(self, proposal: dict) -> dict:
@@ -95,6 +125,17 @@ class Director(SceneWidget):
             raise traitlets.TraitError(str(error)) from None
         # as it came: another form would be sent back, over newer changes of the page
         return proposal["value"]
+
+
+def frames(clip: Clip) -> torch.Tensor:
+    """The frames of a motion as ``scene/desk.js`` reads them, ``[F, 9 + 4 J]``: place and direction
+    of the root frame, contacts, place of the hips, local rotations.
+    """
+    roots = root_frames(clip)
+    ahead = roots.rotations.new_tensor([0.0, 0.0, 1.0]).expand(len(clip), 3)
+    facing = R.rotate(roots.rotations, ahead)
+    return torch.cat((roots.positions[:, [0, 2]], facing[:, [0, 2]], contacts.detect(clip),
+                      clip.root_positions, clip.rotations.flatten(1)), 1)
 
 
 def web(model, bank, path: str | os.PathLike, shots: Iterable[Shot] | Scene | None = None, *,

@@ -107,19 +107,41 @@ def runs(model) -> bool:
 
 def pack(model, bank, half: bool = False, character: Figure | None = None,
          characters: int = 1) -> dict[str, Any]:
-    """The data of ``scene/character.js``, which describes the format; of an LPN-FiLM alone."""
-    if not runs(model):
-        raise ValueError(f"only lpn-film runs in a page, got {model.name}; Shot.render, web "
-                         "and Controller take any model")
+    """The data of ``scene/character.js``, which describes the format.
 
+    Of a model that does not run in a page, weights, rules and the first state are left out.
+    """
     layout: Layout = model.layout
-    state, walk = runtime.start(model, bank.vectors[0]), example(model, bank)
+    walk = example(model, bank)
     lines, joints = bvh.header(layout.skeleton)
     corners = (list(bank.names) * 3)[:3]
-    channels = {name: 3 * i for i, name in enumerate(CHANNELS)} | {"width": 3 * len(CHANNELS)}
+    return (_network(model, bank, half) if runs(model) else {}) | {
+        "body": _plain(rules.Body.of(layout.skeleton)._asdict()),
+        "skeleton": page.skeleton_data(walk, character),
+        "styles": list(bank.names),
+        "labels": bank.labels(),
+        "speeds": [round(bank.speed(name), 2) for name in bank.names],
+        "vectors": numbers(bank.vectors),
+        "turn": TURN,
+        "run": RUN,
+        "ease": EASE,
+        "others": _others(bank, characters - 1),
+        "crowd": page.skeleton_data(walk, vertices=VERTICES) if characters > 1 else None,
+        "bvh": {"header": "\n".join([*lines, ""]), "joints": joints,
+                "centimetre": bvh.CENTIMETRE},
+        "gate": gate(layout.skeleton),
+        "traits": {"names": corners, "weights": [1.0, 0.0, 0.0],
+                   "speed": round(bank.speed(corners[0]), 2)},
+    }
+
+
+def _network(model, bank, half: bool) -> dict[str, Any]:
+    """Weights and rules of an LPN-FiLM, and its state in the first frame."""
+    state = runtime.start(model, bank.vectors[0])
     gating = [(layer.weight.T[None], layer.bias[None]) for layer in model.gating.layers]
     experts = [(layer.weight, layer.bias) for layer in model.experts.layers]
     kinds = [model.normaliser(kind) for kind in FRAME_KINDS]
+    channels = {name: 3 * i for i, name in enumerate(CHANNELS)} | {"width": 3 * len(CHANNELS)}
     return {
         "network": {
             "means": [numbers(kind.mean) for kind in kinds],
@@ -130,25 +152,9 @@ def pack(model, bank, half: bool = False, character: Figure | None = None,
             "dropped": model.dropped if model.calibrated else 0.0,
         },
         "rules": _plain(rules.rules_of(model)._asdict() | channels),
-        "body": _plain(rules.Body.of(layout.skeleton)._asdict()),
         "start": {name: value[0].flatten().tolist() for name, value in vars(state).items()
                   if name != "style"},
-        "skeleton": page.skeleton_data(walk, character),
-        "styles": list(bank.names),
-        "labels": bank.labels(),
-        "speeds": [round(bank.speed(name), 2) for name in bank.names],
-        "vectors": numbers(bank.vectors),
-        "turn": TURN,
-        "run": RUN,
-        "ease": EASE,
         "life": {"amount": model.life, "period": PERIOD},
-        "others": _others(bank, characters - 1),
-        "crowd": page.skeleton_data(walk, vertices=VERTICES) if characters > 1 else None,
-        "bvh": {"header": "\n".join([*lines, ""]), "joints": joints,
-                "centimetre": bvh.CENTIMETRE},
-        "gate": gate(layout.skeleton),
-        "traits": {"names": corners, "weights": [1.0, 0.0, 0.0],
-                   "speed": round(bank.speed(corners[0]), 2)},
     }
 
 

@@ -2,17 +2,42 @@
 //
 // Desk(data, scene, changed): data of view/director.py's pack; scene as a file holds it. `changed(what)` is called after a change of
 //   the shots ("shots"), of the undo list ("kept"), and whenever more frames are there ("frames").
+// filled(motion) takes what the kernel rendered, of a model that does not run in a page: data has no network then.
 // `findings` are the defects of the motion (findings.js); null until all of it is looked at.
 import { Together } from "./apart.js";
+import { Tree } from "./body.js";
 import { Character } from "./character.js";
 import { defects } from "./findings.js";
 import { Network } from "./network.js";
 import { numbers } from "./numbers.js";
 import { missedPins, pinned } from "./pins.js";
 import { kinematics } from "./pose.js";
-import { data as sceneOf, parse, shot as checked, starts, Take } from "./shot.js";
+import { beside, data as sceneOf, parse, plan, shot as checked, starts, Take } from "./shot.js";
 
 const SLICE = 25, BATCH = 4, DEEP = 200; // ms of computing at once; frames between looks at the clock; steps that can be undone
+
+// A shot whose motion the kernel renders: until it is there, that of an older take, on the new plan.
+class Rendered {
+  constructor(shot, desk, since, { frames, places } = { frames: [], places: [] }) {
+    Object.assign(this, { shot, ...plan(shot, desk), since, frames, places, apart: [] });
+    this.count = this.course.distance.length - 1;
+  }
+
+  // rows of director.py's frames
+  fill(rows, joints) {
+    const width = 9 + 4 * joints, count = this.count = rows.length / width;
+    this.frames = Array.from({ length: count }, (_, f) => {
+      const part = (from, to) => rows.subarray(f * width + from, f * width + to);
+      return { history: part(0, 4), contacts: part(4, 6), root: part(6, 9), rotations: part(9, width) };
+    });
+    this.places = this.frames.map(({ history: [x, z] }) => [x, z]);
+    this.apart = beside({ ...this, apart: null });
+  }
+
+  step() {
+    return false;
+  }
+}
 
 export class Desk {
   constructor(data, scene, changed) {
@@ -20,8 +45,8 @@ export class Desk {
     Object.assign(this, { data, rules, limits, styles, speeds, vectors, size: vectors.length / styles.length, changed });
     Object.assign(this, { ...parse(scene, styles), takes: [], making: [], past: [], future: [], held: null, stats: { ms: [] } });
     this.pins = { ...data.pins, FPS: rules.FPS };
-    this.network = new Network(data.network);
-    this.drawn = new Character(data, this.network);
+    this.network = data.network ? new Network(data.network) : null;
+    this.drawn = this.network && new Character(data, this.network);
     this.channel = new MessageChannel();
     this.channel.port1.onmessage = () => this.work();
     this.selected = 0;
@@ -99,17 +124,19 @@ export class Desk {
       const at = !same ? -1 : known[k] === own ? k : known.indexOf(own);
       takes[k] = old.length ? this.takes[at < 0 ? k : at] : undefined; // opened: nothing is left of other shots
       const older = more.apart === undefined ? [takes[k], old.length && this.making[k]].filter((take) => take && !take.together) : [];
-      making[k] = at < 0 ? new Take(this.shots[k], this, new Character(this.data, this.network), now, older) : this.making[at];
+      making[k] = at >= 0 ? this.making[at] : !this.network ? new Rendered(this.shots[k], this, now, takes[k])
+        : new Take(this.shots[k], this, new Character(this.data, this.network), now, older);
       if (at < 0) this.stats.since = making[k].frames.length; // the first frame that is computed again
     });
     Object.assign(this, { takes, making, findings: null, judging: null });
-    if (more.apart === undefined) this.together = null;
+    if (more.apart === undefined || !this.network) this.together = null;
     else if (!same) this.together = new Together([...making], more, this);
     this.due();
   }
 
   due() {
-    if (this.waits || (this.findings && !this.making.some(Boolean))) return;
+    const busy = this.making.some(Boolean);
+    if (this.waits || (busy ? !this.network : this.findings)) return;
     this.waits = true;
     this.channel.port2.postMessage(null);
   }
@@ -128,6 +155,17 @@ export class Desk {
       for (const k of members) [this.takes[k], this.making[k]] = [this.making[k], null];
     }
     if (!making.some(Boolean)) this.judge(until);
+    this.changed("frames");
+    this.due();
+  }
+
+  // The motion as the kernel rendered it, {scene, takes}, or why it cannot, {scene, problem}: an Error. Of another scene, nothing.
+  filled({ scene, takes, problem }) {
+    if (this.network || !scene || JSON.stringify(parse(scene, this.styles)) !== JSON.stringify({ shots: this.shots, more: this.more })) return;
+    if (problem) throw new Error(problem);
+    this.takes = this.shots.map((shot, k) => this.making[k] ?? this.takes[k]);
+    this.takes.forEach((take, k) => take.fill(numbers(takes[k]), this.data.joints.length));
+    Object.assign(this, { making: this.takes.map(() => null), findings: null, judging: null });
     this.changed("frames");
     this.due();
   }
@@ -159,7 +197,7 @@ export class Desk {
   // root and rotations [J * 4] of a frame; the last one after the end; null while there is none
   pose(k, frame) {
     const take = this.take(k, frame), found = take?.frames[Math.min(Math.max(frame, 0), take.frames.length - 1)], { drawn } = this;
-    if (!found) return null;
+    if (!found || !drawn) return found ?? null;
     drawn.state = found;
     const { data: { figure, body }, pins: r } = this, number = take.frames.indexOf(found) + 1;
     const pin = (turned, places, plant) => (this.drawnAt = [turned, places], pinned(turned, places, number, take, body, figure, r, plant));
@@ -175,7 +213,12 @@ export class Desk {
 
   // places of all joints in a frame
   joints(k, frame) {
-    this.pose(k, frame);
+    const { drawn, data: { skeleton } } = this, found = this.pose(k, frame);
+    if (!drawn) {
+      const tree = new Tree(skeleton);
+      if (found) tree.pose(found.root, found.rotations);
+      return skeleton.parents.map((_, j) => [...tree.places.subarray(3 * j, 3 * j + 3)]);
+    }
     kinematics(this.data.body, ...this.drawnAt);
     return this.drawnAt[1];
   }
@@ -183,6 +226,7 @@ export class Desk {
   // all frames of a character, [[root, rotations]]; it is computed to its end
   motion(k) {
     const take = this.making[k] ?? this.takes[k];
+    if (!this.network && this.making[k]) throw new Error("the kernel has not rendered it yet");
     while ((this.together ?? take).step());
     return take.frames.map((_, f) => {
       const { root, rotations } = this.pose(k, f);

@@ -1,7 +1,7 @@
 // A desk for shots: a floor map, a timeline, a form, and the characters in 3-D, computed in the browser (desk.js).
 //
-// Traits of the model: data (of view/director.py's pack), scene {version, shots} as a file holds it, and height, pixels, or null to
-// fill the element. The scene is sent to the kernel after every change that undo knows.
+// Traits of the model: data (of view/director.py's pack), scene {version, shots} as a file holds it, motion (what the kernel rendered of
+// it, see desk.js), and height, pixels, or null to fill the element. The scene is sent to the kernel after every change that undo knows.
 import { unpack } from "./body.js";
 import { bvh } from "./character.js";
 import { bisectRight } from "./course.js";
@@ -116,10 +116,15 @@ export function render({ model, el }) {
   };
   const name = (ending) => `${desk.shot.name.replace(/[^\w.+-]+/g, "_") || "shot"}.${ending}`;
   button(bar, "Save", "Save the shots as JSON", () => download("shots.json", JSON.stringify(desk.scene, null, 1) + "\n"));
-  button(bar, "GLB", "Export the motion of this character as GLB", () =>
-    download(name("glb"), glb({ ...data.skeleton, names: data.joints }, desk.motion(desk.selected), fps, desk.shot.name, skin)));
-  button(bar, "BVH", "Export the motion of this character as BVH", () =>
-    download(name("bvh"), bvh(data.bvh, desk.motion(desk.selected), fps)));
+  const exported = (kind, write) => button(bar, kind.toUpperCase(), `Export the motion of this character as ${kind.toUpperCase()}`, () => {
+    try {
+      download(name(kind), write(desk.motion(desk.selected)));
+    } catch (error) {
+      complain(error.message);
+    }
+  });
+  exported("glb", (motion) => glb({ ...data.skeleton, names: data.joints }, motion, fps, desk.shot.name, skin));
+  exported("bvh", (motion) => bvh(data.bvh, motion, fps));
   const tools = make("div", "tkd-tools", floor);
   const pen = button(tools, "Draw", "Draw the path with the next drag", () => map.toggle());
   button(tools, "Fit", "Show all paths", () => { map.fit(); changed("look"); });
@@ -191,7 +196,15 @@ export function render({ model, el }) {
     open(JSON.parse(JSON.stringify(model.get("scene"))));
     arriving = false;
   };
+  const rendered = () => {
+    try {
+      desk.filled(model.get("motion") ?? {});
+    } catch (error) {
+      complain(error.message);
+    }
+  };
   model.on("change:scene", arrived);
+  model.on("change:motion", rendered);
 
   function removeSelected() {
     const { list, k } = selected;
@@ -213,8 +226,9 @@ export function render({ model, el }) {
     remove.disabled = desk.shots.length < 2;
     undo.disabled = !desk.past.length, redo.disabled = !desk.future.length;
     pen.ariaPressed = String(map.drawing);
-    const late = desk.making.some((take) => take && performance.now() - take.since > LATE);
-    clock.textContent = `${desk.seconds.toFixed(2)} / ${longest().toFixed(2)} s${late ? `, ${Math.round(100 * desk.share)} % ready` : ""}`;
+    const late = desk.making.some((take) => take && performance.now() - take.since > (desk.network ? LATE : -1));
+    const wait = !late || problem ? "" : desk.network ? `, ${Math.round(100 * desk.share)} % ready` : ", the kernel renders";
+    clock.textContent = `${desk.seconds.toFixed(2)} / ${longest().toFixed(2)} s${wait}`;
   }
 
   function words() {
@@ -295,12 +309,14 @@ export function render({ model, el }) {
   const sizes = new ResizeObserver(() => changed("look"));
   sizes.observe(floor), sizes.observe(low);
   map.fit();
+  rendered();
   el.toolkit = { desk, scene, map, ghosts, seek, run, open, get stats() { return desk.stats; } };
   handle = requestAnimationFrame(tick);
   return () => {
     cancelAnimationFrame(handle);
     sizes.disconnect();
     model.off("change:scene", arrived);
+    model.off("change:motion", rendered);
     desk.dispose();
     scene?.dispose();
   };
