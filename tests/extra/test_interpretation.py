@@ -4,6 +4,7 @@ import dataclasses
 import re
 import time
 from pathlib import Path
+from random import Random
 
 import pytest
 import rigs
@@ -129,19 +130,52 @@ def test_roles_unit_and_up_that_do_not_fit_are_refused(tmp_path):
     assert tk.inspect(path, roles={"left_toe": "LeftFoot"}).rules["left_toe"] == "given"
 
 
-def test_odd_recordings_are_doubted_as_they_were(tmp_path):
-    clip, path = rigs.walk("LaFAN1", seconds=1.5), tmp_path / "walk.bvh"
-    places, time = clip.root_positions, torch.arange(len(clip)) / clip.fps
-    up, late = torch.tensor([0.0, 1.0, 0.0]), (time > 0.7)[:, None]
-    odd = [turned(clip, angle, 7.0, 0.3 * angle) for angle in range(-180, 180, 20)]
-    odd += [clip.replace(fps=clip.fps * factor) for factor in (0.1, 0.4, 3, 12)]
-    for size in (0.03, 0.1, 0.3, 1.0, 3.0, 10.0):
-        wave = size * torch.sin(5 * time)[:, None]
-        odd += [clip.replace(root_positions=moved) for moved in (
-            places * size, places + wave * up, places + wave * late * up, places + size * late)]
-    for one in odd:
-        tk.bvh.save(one, path)
-        tk.inspect(path)
+def odd(random, walks) -> Recording:
+    """A walk of some rig in another size, unit, place or direction, or with something wrong."""
+    name = random.choice([*walks])
+    clip, pick = walks[name], random.choice
+    size, unit = pick((0.3, 0.5, 0.9, 1.0, 1.0, 1.3, 3.0)), pick([*interpretation.UNITS.values()])
+    seconds = torch.arange(len(clip))[:, None] / clip.fps
+    path = clip.root_positions * pick((1.0, 1.0, 1.0, 1.0, 0.0, 0.01, 0.4, 2.54, 100.0))
+    path = path + torch.tensor([0.0, pick((0.0, 0.0, 0.0, 0.3, 1.5, -0.8)), 0.0])
+    path = path + pick((0.0, 0.0, 0.15, 0.7)) * seconds * torch.tensor([0.0, 1.0, 0.0])
+    rotations, names, swap = clip.rotations, [*clip.skeleton.names], {"left": "right"}
+    if random.random() < 0.1:  # jumps
+        path = path + 3.0 * (seconds > 0.5)
+    if random.random() < 0.1:  # a statue
+        rotations = rotations[:1].expand(rotations.shape)
+    if random.random() < 0.2:  # roles by the shape of the tree alone
+        names = [f"j{j}" for j in range(len(names))]
+    elif random.random() < 0.1:
+        swap |= {right: left for left, right in swap.items()}
+        names = [re.sub("left|right", lambda m: swap[m[0]], text) for text in names]
+    turned_ = turned(clip.replace(rotations=rotations, root_positions=path * size / unit), *pick(
+        ((0, 0, 0), (0, 0, 0), (0, 0, 0), (90, 0, 0), (0, 0, 90), (180, 0, 0), (80, 0, 0))))
+    parents, offsets = [*clip.skeleton.parents], clip.skeleton.offsets * size / unit
+    rotations, more = turned_.rotations, pick((0, 0, 0, 5, 12))
+    names += [f"prop{i}" for i in range(more)]
+    parents += [0] * more
+    offsets = torch.cat((offsets, torch.ones(more, 3) * size / unit))
+    rotations = torch.cat((rotations, R.identity(len(clip)).expand(more, -1, 4).transpose(0, 1)), 1)
+    return Recording(
+        "BVH", tuple(names), tuple(parents), offsets.double(), rotations,
+        turned_.root_positions.double(), pick((60.0, 60.0, 60.0, 30.0, 0.06, 2.0, 2000.0)),
+        unit=pick((None, None, unit, 0.01, 1.0)), up=pick((None, None, None, "y", "z")),
+        ends=clip.skeleton.ends if names[0] == clip.skeleton.names[0] else ())
+
+
+def test_odd_recordings_are_understood_as_they_were(unchanged):
+    random = Random(0)
+    walks = {name: rigs.walk(name, bent, 1.0) for name, bent in (
+        ("Mixamo", True), ("MotionBuilder", False), ("Unreal", True), ("MakeHuman", False))}
+    for _ in range(100):
+        recording = odd(random, walks)
+        try:
+            clip, found = interpretation.interpret(recording, Path("odd.bvh"))
+        except ValueError as error:
+            unchanged.append(str(error))
+            continue
+        unchanged += [found, clip.skeleton.roles, clip.fps, clip.global_positions[::9]]
 
 
 def test_sides_that_are_exchanged_are_noticed(tmp_path):

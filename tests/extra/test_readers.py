@@ -5,6 +5,7 @@ import contextlib
 import dataclasses
 import json
 import tracemalloc
+from random import Random
 
 import numpy as np
 import pytest
@@ -22,6 +23,7 @@ from toolkit.extra.formats import (
     humanml3d,
     interpretation,
     key_times,
+    nodes,
     npz,
 )
 from toolkit.io import bvh_text
@@ -573,6 +575,81 @@ def test_two_keys_have_a_rate():
 def test_tables_of_the_formats_are_what_they_were(unchanged):
     unchanged += [fbx_reader.RATES, key_times.RATES, bvh_text.RATES, interpretation.UNITS,
                   npz.rest_pose(24), npz.ORIGIN, npz.ORIGIN_X]
+
+
+def scene_of(random):
+    """Nodes of a scene: several joints, helpers or props, some of which move or are scaled."""
+    count, frames, made = random.randint(2, 26), 4, []
+    joint, skin = random.random(), random.choice((0.0, 0.0, 0.5, 1.0))
+    still = random.random()
+    for j in range(count):
+        name = random.choice(("bone", f"bone{j}", f"bone{j}", "ik_foot", "tipEnd", "IKhand", " "))
+        spread = 0.0 if random.random() < still else random.choice((1e-4, 3e-3, 0.03, 0.3, 3.0))
+        place = np.array([[random.choice((0.0, 1.0, -2.0)) for _ in "xyz"]])
+        if spread:
+            place = place + spread * np.linspace(0, 1, frames)[:, None] * [0.3, 1.0, 0.1]
+        angles = np.linspace(0, random.choice((0.0, 0.0, 1.0)), frames)[:, None] * [0.2, 1.0, 0.4]
+        turns = Rotation.from_rotvec(angles if angles.any() else angles[:1]).as_quat()
+        size = np.full((1, 3), random.choice((1.0, 1.0, 1.0, 1.0, 0.01, 2.0)))
+        if random.random() < 0.05:
+            size = size * random.choice(([1, 1.5, 1], [-1, 1, 1], [[1, 1, 1]] * 3 + [[2, 2, 2]]))
+        parent = random.choice((j - 1, j - 1, random.randint(-1, j - 1), 0)) if j else -1
+        made.append(nodes.Node(
+            name, min(parent, j - 1), place, torch.from_numpy(turns[:, [3, 0, 1, 2]].copy()), size,
+            random.random() < joint, random.random() < skin, random.random() < 0.7))
+    return made
+
+
+def test_scenes_are_read_as_they_were(unchanged):
+    random = Random(0)
+    for _ in range(300):
+        scene, doubts = scene_of(random), []
+        try:
+            unchanged += vars(nodes.record(scene, 4, 30.0, format_="glTF", unit=None, up="y",
+                                           doubts=doubts)).values()
+        except ValueError as error:
+            unchanged += [str(error), *doubts]
+
+
+def test_fbx_scenes_are_read_as_they_were(tmp_path, unchanged):
+    random, path = Random(0), tmp_path / "a.fbx"
+    angles = ("PreRotation", "PostRotation", "Lcl_Rotation")
+    pivots = ("RotationPivot", "ScalingPivot", "RotationOffset", "ScalingOffset", "Lcl_Translation",
+              "GeometricTranslation")
+    for _ in range(60):
+        models, curves, names = {}, {}, [f"b{i}" for i in range(random.randint(2, 5))]
+        for i, name in enumerate(names):
+            values = {key: [random.choice((0.0, 20.0, -75.0, 190.0)) for _ in "xyz"]
+                      for key in angles if random.random() < 0.4}
+            values |= {key: [random.choice((0.0, 1.0, -3.0)) for _ in "xyz"]
+                       for key in pivots if random.random() < 0.3}
+            values |= {key: [random.choice(options)] for key, options in (
+                ("InheritType", (0, 1, 2)), ("RotationOrder", range(7)), ("RotationActive", (0, 1)))
+                if random.random() < 0.4}
+            if random.random() < 0.4:
+                values["Lcl_Scaling"] = [random.choice((1.0, 0.5, 100.0))] * 3
+            models[name] = (names[random.randrange(i)] if i else "", values)
+            for axis in "XYZ":
+                what = random.choice(("Lcl Rotation", "Lcl Rotation", "Lcl Translation"))
+                keys = random.choice((0, 1, 2, 3, 6))
+                times = np.cumsum([random.choice((1, 1, 2, 5)) for _ in range(keys)]) / 30
+                if not keys or (what == "Lcl Translation" and i):
+                    continue
+                flags = [random.choice((2, 2 | 0x100, 4, 8, 8 | 0x400, 8 | 0x800, 8 | 0x100,
+                                        8 | 0x1000, 8 | 0x2000)) for _ in range(keys)]
+                slopes = np.array([[random.uniform(-60, 60), random.uniform(-60, 60),
+                                    0.3, 0.3] for _ in range(keys)])
+                places = [random.uniform(-40, 40) for _ in range(keys)]
+                curves[name, what, axis] = times, places, flags, slopes
+        settings = {"TimeMode": [random.choice((0, 3, 5, 6, 7, 9, 10, 11, 13, 14))],
+                    "CustomFrameRate": [random.choice((0.5, 12.0, 29.97, 2000.0))],
+                    "UpAxis": [random.choice((0, 1, 2, 3))], "UpAxisSign": [random.choice((1, -1))],
+                    "UnitScaleFactor": [random.choice((1.0, 100.0, 2.54, 0.0))]}
+        try:
+            found = fbx_reader.read(written(path, fbx_scene(models, curves, settings=settings)))
+            unchanged += [*vars(found).values(), world(found)]
+        except ValueError as error:
+            unchanged.append(str(error).replace(str(path), ""))
 
 
 @pytest.mark.parametrize("target", ["bvh", "gltf", "fbx"])
