@@ -48,16 +48,12 @@ COLUMNS = {"group": ["group"], "mutants": ["mutants", 0], "detected": ["detected
 #: Why a mutant that no test sees computes the same, by its line and the change.
 EQUIVALENT = {
     ("for part in rows.split(1024):", "1024 -> 1025"): "the sum has the same parts",
-    ('errors[style] = dict(zip(("mse", "bone"), (sums / len(rows)).tolist(), strict=True))',
-     "True -> False"): "both have two",
     ("adam = torch.optim.Adam([vector], fused=True)", "True -> False"): "the same formula",
     ("if len(data) < 20:", "20 -> 21"): "a text of one character is no JSON object",
     ("slopes = np.repeat(slopes.reshape(-1, 4), counts, axis=0)", "1 -> 2"):
         "NumPy takes any negative size for the missing one",
     ('TRACKS = {b"Lcl Translation": (0.0,) * 3, b"Lcl Rotation": (0.0,) * 3, '
      'b"Lcl Scaling": (1.0,) * 3}', "3 -> 4"): "only the first three are read",
-    ("for path, asked, clip in zip(paths, scene.shots, clips, strict=True):", "True -> False"):
-        "all are as many",
     ('return CharacterState(**parts, style=parts["history"].new_empty(len(recorded), 0))',
      "0 -> 1"): "no pose reads the style",
     ("own=np.array([joints.index(j) if j in joints else -1 for j in range(len(skeleton))]),",
@@ -79,7 +75,7 @@ OPPOSITE = {
     ast.And: ast.Or, ast.Or: ast.And,
 }
 SMALLEST = 1e-3  # a smaller constant is a tolerance, and twice a tolerance is no fault
-#: What computes no result: types, decorators such as a compiler's, texts of errors.
+#: What computes no result: types, decorators such as a compiler's, texts of errors, ``strict=``.
 NO_FIELDS = {"annotation", "returns", "decorator_list"}
 NO = ast.Raise | ast.JoinedStr | ast.Assert
 
@@ -94,10 +90,12 @@ def places(node: ast.AST) -> list[ast.AST]:
     elif isinstance(node, ast.Constant) and isinstance(node.value, int | float):
         found += [node] * (node.value == 0 or abs(node.value) >= SMALLEST)
     elif isinstance(node, ast.Call):
-        found += [node] * any(isinstance(argument, ast.BinOp) for argument in node.args)
+        unsigned = ast.unparse(node.func).endswith(("abs", "norm"))
+        found += [node] * any(isinstance(a, ast.BinOp) and not unsigned for a in node.args)
     for name, value in ast.iter_fields(node):
         for child in value if isinstance(value, list) else [value]:
-            if name not in NO_FIELDS and isinstance(child, ast.AST) and not isinstance(child, NO):
+            checks = isinstance(child, NO) or getattr(child, "arg", None) == "strict"
+            if name not in NO_FIELDS and isinstance(child, ast.AST) and not checks:
                 found += places(child)
     return found
 
