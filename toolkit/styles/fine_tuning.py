@@ -1,6 +1,7 @@
 """New styles for a trained model (Mason et al. 2022, section 5.3.2): only the style is learnt."""
 
 import copy
+import hashlib
 import math
 import time
 from collections.abc import Callable, Iterator, Sequence
@@ -16,6 +17,7 @@ from toolkit.motion import Clip
 from toolkit.motion.tensors import shown, summary
 from toolkit.networks import Film, FilmGenerator, Predictor
 from toolkit.networks.bank import StyleBank
+from toolkit.networks.predictor import FACTORS
 from toolkit.training import minibatches
 from toolkit.training.loss import baselines, evaluate, loss_terms, make_bank, observed
 from toolkit.training.minibatches import Minibatches
@@ -35,6 +37,7 @@ SPREAD = 0.3  # standard deviation of style vectors without a bank
 HELD_OUT = 0.2  # share of each new style's frames
 EVERY = 40  # steps per new style between two measurements of the held-out error
 MAX_GRADIENT = 1.0  # norm to which gradients are clipped
+_POSES: dict[bytes, Tensor] = {}  # of the last walks, by model and bank
 
 
 @dataclass(frozen=True, eq=False)
@@ -219,6 +222,21 @@ def _start(model: Predictor, bank: StyleBank | None, data: Features) -> Tensor:
     return torch.stack([bank[known] for known in best])
 
 
+def _walked(model: Predictor, bank: StyleBank) -> Tensor:
+    """Poses of the model's walks in all styles, six per second; kept until others are asked for,
+    as a clip's vectors are learnt again and again beside the same bank.
+    """
+    settings = [getattr(model, factor) for factor in FACTORS]
+    known = hashlib.sha256(f"{model!r} {settings}".encode())
+    for values in (*model.state_dict().values(), bank.vectors):
+        known.update(values.cpu().numpy().tobytes())
+    if (key := known.digest()) not in _POSES:
+        states = list(runtime.states(model, runtime.straight(*WALK), bank.vectors))
+        _POSES.clear()
+        _POSES[key] = torch.cat([state.joints for state in states[::10]])
+    return _POSES[key]
+
+
 def _descend(model: Predictor, bank: StyleBank | None, data: Features, learnt: list[Tensor],
              vector: Callable[[int, Tensor], Tensor], rate: float, steps: int, weight: float,
              seed: int) -> Iterator[float]:
@@ -230,11 +248,8 @@ def _descend(model: Predictor, bank: StyleBank | None, data: Features, learnt: l
     batches = Minibatches(data, frames, 1, seed, memory=model.memory)
     joints = model.layout.inputs["joints"]
     draw = splits.generator(seed, minibatches.MIXUP)
-    # poses that are mixed in: of the model's walks in all styles, six per second
-    poses = model.inputs_mean[None, joints]
-    if bank is not None:
-        states = list(runtime.states(model, runtime.straight(*WALK), bank.vectors))
-        poses = torch.cat([state.joints for state in states[::10]])
+    # poses that are mixed in
+    poses = model.inputs_mean[None, joints] if bank is None else _walked(model, bank)
     mean, deviation = _prior(model, bank)
     adam = torch.optim.Adam(learnt, lr=rate, fused=True)
     for step in range(steps):
