@@ -153,6 +153,10 @@ def odd(random, walks) -> Recording:
         ((0, 0, 0), (0, 0, 0), (0, 0, 0), (90, 0, 0), (0, 0, 90), (180, 0, 0), (80, 0, 0))))
     parents, offsets = [*clip.skeleton.parents], clip.skeleton.offsets * size / unit
     rotations, more = turned_.rotations, pick((0, 0, 0, 5, 12))
+    if random.random() < 0.2:  # bones that rest along z
+        up = R.from_euler(torch.deg2rad(torch.tensor([90.0, 0.0, 0.0])), "XYZ")
+        rotations, offsets = R.multiply(rotations, R.inverse(up)), R.rotate(up, offsets)
+        rotations = torch.cat((rotations[:, :1], R.multiply(up, rotations[:, 1:])), 1)
     names += [f"prop{i}" for i in range(more)]
     parents += [0] * more
     offsets = torch.cat((offsets, torch.ones(more, 3) * size / unit))
