@@ -401,6 +401,14 @@ def test_pins_are_reached_and_the_feet_and_the_frames_between_stay(fast):
     assert float((look * to).sum() / to.norm()) > math.cos(0.3)
 
 
+def test_a_head_turns_to_a_limit_and_not_to_what_is_behind_it():
+    angles = torch.tensor([0.5, 1.2, 2.0, math.pi - 0.35, math.pi - 0.1])
+    way = torch.stack((angles.sin(), 0 * angles, angles.cos()), 1)
+    turned = reaching._looked(torch.tensor([0.0, 0.0, 1.0]).expand(5, 3), way)[:, 1]
+    # by hand: at half of BEHIND before the back, half of LOOK; then smoothly to nothing
+    assert turned.tolist() == pytest.approx([0.5, 1.156, 1.2, 0.6, 0.068], abs=2e-3)
+
+
 def test_pins_of_all_kinds_move_a_walk_by_known_distances(walk_clip):
     """Of the functions that tests/browser compares with those of the page, without a browser."""
     walk = walk_clip.cut(0, 240)
