@@ -639,7 +639,7 @@ def test_fbx_scenes_are_read_as_they_were(tmp_path, unchanged):
                                         8 | 0x1000, 8 | 0x2000)) for _ in range(keys)]
                 slopes = np.array([[random.uniform(-60, 60), random.uniform(-60, 60),
                                     0.3, 0.3] for _ in range(keys)])
-                places = [random.uniform(-40, 40) for _ in range(keys)]
+                places = [random.choice((-20.0, 0.0, 0.0, 0.0, 30.0)) for _ in range(keys)]
                 if random.random() < 0.3:  # still
                     places, slopes = [5.0] * keys, 0 * slopes
                 curves[name, what, axis] = times, places, flags, slopes
@@ -706,8 +706,11 @@ def test_numpy_files_are_read_as_they_were(smpl, tmp_path, unchanged):
                                                           size=places.shape)
         else:
             wobble = random.choice((0.0, 1e-3, 0.01, 0.05))
-            arrays[random.choice(("joints", "positions"))] = places * random.choice(
-                (1.0, 100.0)) + noise.normal(scale=wobble, size=places.shape)
+            joints = places * random.choice((1.0, 100.0)) + noise.normal(scale=wobble,
+                                                                         size=places.shape)
+            more = random.choice((0, 0, 0, 2, 30, 33))  # HumanML3D, SMPL, -H, -X
+            arrays[random.choice(("joints", "positions"))] = np.pad(joints,
+                                                                    ((0, 0), (0, more), (0, 0)))
         try:
             found = npz.read(written(path, packed(**arrays)))
             unchanged += [*vars(found).values(), world(found)]
