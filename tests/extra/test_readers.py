@@ -664,6 +664,12 @@ def test_gltf_scenes_are_read_as_they_were(tmp_path, unchanged):
                 ("translation", numbers.integers(-2, 3, 3).tolist()),
                 ("rotation", [0.6, 0, 0, 0.8]), ("scale", [random.choice((0.5, 2.0))] * 3),
                 ("mesh", 0)) if random.random() < 0.4}
+            if random.random() < 0.2:  # by columns, sometimes mirrored
+                matrix = np.eye(4)
+                matrix[:3, :3] = Rotation.from_rotvec([0.3, -1.0, 0.5]).as_matrix() * random.choice(
+                    ([2, 2, 2], [1, 2, 3], [-1, 1, 1]))
+                matrix[:3, 3] = numbers.integers(-2, 3, 3)
+                doc.json["nodes"][j] = {"name": f"n{j}", "matrix": matrix.T.ravel().tolist()}
             if j:
                 above = doc.json["nodes"][random.randrange(j)]
                 above["children"] = [*above.get("children", []), j]
