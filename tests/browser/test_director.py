@@ -457,12 +457,13 @@ def test_a_thumb_plans_on_a_phone(visit, file):
 
 
 def test_a_change_computes_only_what_it_changes(desk):
-    shot = {"path": [[0, 0], [1, 2], [-1, 3], [0, 4]], "duration": 1.6,
+    shot = {"path": [[0, 0], [1, 2], [-1, 3], [0, 4]], "duration": 1.5,
             "styles": [[0, "Neutral"], [0.5, "Neutral"], [1, "Zombie"]],
             "speeds": [[0, 2.0], [1, 1.6]]}
     desk.open({"version": 1, "shots": [shot]})
-    edits = {"shot.path[3].x = 1": 60, "shot.styles[2].blend = { Old: 1 }": 30,
-             "shot.speeds[1].speed = 1.1": 0, "shot.seed = 4": 0}
+    edits = {"shot.arms = false": 60, "shot.path[3].x = 1": 60,
+             "shot.styles[2].blend = { Old: 1 }": 30, "shot.speeds[1].speed = 1.1": 0,
+             "shot.seed = 4": 0}
     for edit, least in edits.items():
         desk.run("desk.motion(0)")
         desk.wait()

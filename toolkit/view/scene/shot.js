@@ -277,8 +277,9 @@ export class Take {
     character.spare = stand(character.first, place, [Math.sin(angle), Math.cos(angle)]);
     for (const { phase } of [character.state, character.spare]) shifted(phase, 2 * Math.PI * ((shot.seed * GOLDEN) % 1));
     for (const old of older) {
-      const frame = EVERY * Math.floor(Math.min(shared(this, old), old.frames.length, this.count) / EVERY), { kept } = old;
-      if (frame <= this.frames.length || !kept[frame / EVERY]) continue;
+      const { kept } = old, same = Math.min(shared(this, old), old.frames.length, this.count);
+      const frame = EVERY * Math.min(Math.floor(same / EVERY), kept.length - 1);
+      if (frame <= this.frames.length) continue;
       Object.assign(this, { frames: old.frames.slice(0, frame), places: old.places.slice(0, frame), kept: kept.slice(0, frame / EVERY) });
       character.state = copy(kept[frame / EVERY]);
     }
