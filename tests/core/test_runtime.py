@@ -198,6 +198,7 @@ def test_pilots_keep_to_the_path(walk_clip):
     assert (trail[-1] - points[-1]).norm() < 0.05
     # on the first leg by then, before the corner is near
     assert trail[120:148, 0].abs().max() < 0.05
+    assert trail[[270, 300, 340], 0].tolist() == pytest.approx([1.53, 2.02, 2.66], abs=0.02)
 
 
 def test_bad_commands_are_refused(small_run):
@@ -213,6 +214,9 @@ def test_bad_commands_are_refused(small_run):
         ("all finite", runtime.follow, [(0.0, 0.0), (0.0, math.nan)]),
         ("facing is the direction of the walk", runtime.straight, 1.0, 10.0, (0.0, 0.0)),
         (text, runtime.straight, "1"),
+        *(("^speed and seconds must be finite", runtime.straight, *bad)
+          for bad in ((math.inf, 1.0), (1.0, math.inf), (1.0, -1.0))),
+        (r"^velocity must be finite, up to 1e\+06", runtime.Command, (2e6, 0.0)),
         (text, runtime.follow, way, "1"),
         *((limits, runtime.follow, way, *bad) for bad in ((0.0,), (1.0, -1.0), (1.0, math.inf))),
         *((shape, runtime.Command, value)
@@ -253,6 +257,7 @@ def test_straight_commands():
     assert commands[0].velocity == pytest.approx((1.2, 1.6))
     assert math.hypot(*commands[0].facing) == pytest.approx(1.0)
     assert runtime.straight()[599].velocity == (0.0, 1.2)  # for ten seconds
+    assert runtime.Command().velocity == (0.0, 0.0)
 
 
 @pytest.fixture(scope="module")
