@@ -226,7 +226,7 @@ def _walked(model: Predictor, bank: StyleBank) -> Tensor:
     """Poses of the model's walks in all styles, six per second; kept until others are asked for,
     as a clip's vectors are learnt again and again beside the same bank.
     """
-    settings = [getattr(model, factor) for factor in FACTORS]
+    settings = [model.outputs_mean.device, *(getattr(model, factor) for factor in FACTORS)]
     known = hashlib.sha256(f"{model!r} {settings}".encode())
     for values in (*model.state_dict().values(), bank.vectors):
         known.update(values.cpu().numpy().tobytes())

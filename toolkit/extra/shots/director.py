@@ -114,7 +114,7 @@ class Director(SceneWidget):
         try:
             clips = Scene.parse(self.scene).render(self._model, self._bank)
             self.motion = made | {"takes": [live_page.numbers(frames(clip)) for clip in clips]}
-        except ValueError as error:
+        except Exception as error:  # of somebody's model
             self.motion = made | {"problem": str(error)}
 
     @traitlets.validate("scene")
