@@ -1,11 +1,14 @@
 """Features: widths, meaning against slow loops, invariance, errors."""
 
 import dataclasses
+import inspect
+import itertools
 import math
 
 import numpy as np
 import pytest
 import torch
+import unchanged
 from refusal import refusal
 from torch.testing import assert_close
 
@@ -182,10 +185,15 @@ def test_a_style_with_short_clips_only_has_style_clips_that_repeat(two_walks, wa
 
 
 def test_the_ground_is_where_toes_in_contact_are_also_below_zero(two_walks):
-    for height in (0.0, -0.3):
+    for height in (0.0, -0.3, 2.5):
         clips = [clip.moved(shift=(0.0, height, 0.0)) for clip in two_walks]
         data = features.build(clips, source="contact")
-        assert data.ground() == pytest.approx(0.021 + height, abs=1e-3)
+        assert data.ground() == pytest.approx(min(0.021 + height, 2.0), abs=1e-3)
+    flying = features.build(two_walks, source="contact")
+    for style, rows in flying.outputs.items():
+        flying.outputs[style] = rows[:].clone()
+        flying.outputs[style][:, flying.layout.outputs["contacts"]] = 0.0
+    assert flying.ground() == pytest.approx(0.02)
 
 
 def test_normalisers_are_over_all_styles(two_walks):
@@ -203,9 +211,9 @@ def test_normalisers_are_over_all_styles(two_walks):
 def test_bad_clips_are_refused_by_name(walk_clip):
     with refusal(r"^no clips to build features from$"):
         tk.features.build([])
-    short = walk_clip.cut(0, 111).replace(name="short")
-    for make in (frames, tk.features.build):
-        with refusal(r"^short: 111 frames hold no whole trajectory window; "
+    for make, n in itertools.product((frames, tk.features.build), (111, 80)):
+        short = walk_clip.cut(0, n).replace(name="short")
+        with refusal(rf"^short: {n} frames hold no whole trajectory window; "
                      r"it takes 60 before and 51 after a frame$"):
             make(short)
     with refusal("features need 60 Hz, the clip has 30"):
@@ -247,3 +255,32 @@ def test_the_frame_numbers_of_two_recordings_are_more_than_a_style_clip_apart(wa
     assert int(numbers[0]) == 60  # the first that has a second before it
     assert int(numbers[takes == 1].min() - numbers[takes == 0].max()) > features.CLIP_FRAMES
     assert data.spans["Neutral"][:, 0].tolist() == [0, 120, 240, 720, 840, 960]
+
+
+@pytest.mark.parametrize(("mirror", "short", "samples"), [
+    (False, "raise", tuple(range(-60, 60, 10))),
+    (True, "skip", (-45, -5, 0, 7, 40)),
+])
+def test_features_and_splits_are_what_they_were(walk_clip, zombie, mirror, short, samples):
+    """Takes of several lengths, a hop in the air, and rows held out of two styles."""
+    flying = zombie.moved(shift=(0.0, 0.4, 0.0)).replace(gait="hop", name="flying")
+    clips = [walk_clip.cut(0, 300), walk_clip.cut(90, 203), walk_clip.cut(60, 480), zombie, flying,
+             zombie.resample(30).replace(name="slow")]
+    options = {"source": "hybrid", "mirror": mirror, "short": short, "samples": samples}
+    data = features.build(clips if mirror else [*clips[:1], *clips[2:]], **options)
+    kinds = ("inputs", "phases", "outputs", "clips", "takes", "frames", "spans")
+    held = features.splits.split(data, 0.2, 5, ("Zombie", "Neutral"))
+    found = [[{s: rows[:] for s, rows in (getattr(part, kind) or {}).items()} for kind in kinds]
+             for part in (data, *held)]
+    for number, part in enumerate(found):
+        unchanged.check(f"features, mirror {mirror}: {number}", part)
+    unchanged.check(f"normalisers, mirror {mirror}", [*map(vars, data.normalisers().values())])
+
+
+def test_defaults_of_features():
+    """No mirror images, a short clip is an error, local phases of the hybrid source."""
+    signature = inspect.signature
+    given = {name: p.default for make in (features.build, features.features.recordings)
+             for name, p in signature(make).parameters.items() if p.kind is p.KEYWORD_ONLY}
+    assert given == {"source": "hybrid", "mirror": False, "short": "raise", "progress": False,
+                     "samples": tuple(range(-60, 60, 10))}

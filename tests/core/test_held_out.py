@@ -5,11 +5,12 @@ from dataclasses import asdict, replace
 
 import pytest
 import torch
+import unchanged
 from refusal import refusal
 from test_training import QUICK, waves
 
 from experiments.seven_models import models
-from toolkit import training
+from toolkit import networks, training
 from toolkit.features import splits
 from toolkit.training.loss import STEPS, refit, repeat_frame
 
@@ -76,6 +77,25 @@ def test_a_bank_of_few_clips_takes_the_first_and_the_last():
     clips = data.clips["style1"]
     made = training.loss.make_bank(run.model, data, 2)["style1"]
     torch.testing.assert_close(made, run.model.style_vector(clips[[0, len(clips) - 1]], 1))
+
+
+@pytest.mark.parametrize("name", networks.MODELS)
+def test_banks_errors_and_baselines_are_what_they_were(two_styles, name):
+    """Of each of the seven models, whose weights are drawn; all rows, some, and a part of them."""
+    torch.manual_seed(4)
+    sizes = networks.Sizes(hidden=16, experts=3, gating=8, film_channels=4, film_kernel=5,
+                           film_dense=8, rank=4, dropout=0.3)
+    config = training.Config.quick(model=name, sizes=sizes, steps=3, refit=0)
+    model = training.fit(two_styles, config).model
+    part = only(two_styles, "Zombie", "Neutral")
+    banks = [training.loss.make_bank(model, part, clips) for clips in (None, 1, 2)]
+    found = [vars(bank) for bank in banks]
+    found += [training.loss.evaluate(model, banks[0], part, n) for n in (None, 7)]
+    found += [training.loss.baselines(model, part)]
+    if name == "lpn-film":
+        fitted = [refit(model, banks[0], part), refit(model, banks[1], part, 4, 3, 0.0)]
+        found += [vars(bank) for bank in fitted]
+    unchanged.check(f"errors of {name}", found, near=1e-3)
 
 
 def test_vectors_are_fitted_by_default_but_not_of_older_files_nor_of_tables():

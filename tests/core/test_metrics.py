@@ -104,6 +104,38 @@ def test_each_measure_of_a_damaged_walk_is_what_it_was(walks):
         unchanged.check(f"measures: {name}", value, near=1e-3)
 
 
+def test_measures_of_odd_clips_are_what_they_were(walks):
+    """Stands, flies, runs, lies, hops, turns, shakes, other rates and bodies; against the walk."""
+    walk, real = (clip.cut(0, 120) for clip in walks)
+    lying = damages.turned(walk, [0], torch.tensor([[[1.4, 0.0, 0.0]]]).expand(len(walk), 1, 3))
+    spun = damages.turned(walk, [0], torch.linspace(0, 6, 120)[:, None, None] * torch.eye(3)[1])
+    odd = {
+        "stands": stick(30), "slides": stick(60, 0.43, 60.0), "flies": walk.moved(shift=(0, 0.5, 0)),
+        "runs": tk.datasets.procedural.generate("Neutral", "FR", seconds=1.5), "lies": lying,
+        "hops": tk.datasets.procedural.generate("HopLeft", seconds=1.5),
+        "spins": spun, "shakes": damages.noise(walk, 4.0), "at 30 Hz": walk.resample(30),
+        "at 120 Hz": walk.cut(0, 50).resample(120), "short": walk.cut(0, 5), "one": walk.cut(7, 8),
+        "bent": damages.leg(damages.leg(walk, 0.06), 0.05), "sinks": walk.moved(shift=(0, -0.1, 0)),
+    }
+    for name, clip in odd.items():
+        pair = clip, real.resample(clip.fps).cut(0, len(clip))
+        found = [said(measure, *pair[:n]) for n, group in ((1, table.CLIP), (2, table.PAIR))
+                 for measure in group.values()]
+        near = clip.moved(shift=(0.4, 0.0, 0.1))
+        found += [said(defects, [clip, near], apart=0.5), said(metrics.feet, clip)]
+        unchanged.check(f"measures of an odd clip: {name}", found, near=1e-4)
+        found = said(lambda clip: list(findings.measured(clip)), clip)
+        unchanged.check(f"findings in an odd clip: {name}", found, near=1e-4)
+
+
+def said(call, *given, **options):
+    """What a call returns, or the words of its refusal."""
+    try:
+        return call(*given, **options)
+    except ValueError as error:
+        return str(error)
+
+
 def test_what_cannot_be_measured_is_refused(walks):
     clip, real = walks
     for measure, given, reason in (

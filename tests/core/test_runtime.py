@@ -216,7 +216,10 @@ def test_bad_commands_are_refused(small_run):
         (text, runtime.straight, "1"),
         *(("^speed and seconds must be finite", runtime.straight, *bad)
           for bad in ((math.inf, 1.0), (1.0, math.inf), (1.0, -1.0))),
-        (r"^velocity must be finite, up to 1e\+06", runtime.Command, (2e6, 0.0)),
+        *((r"^velocity must be finite, up to 1e\+06", runtime.Command, bad)
+          for bad in ((2e6, 0.0), (-2e6, 2e6), torch.tensor([[0.0, 1.001e6]]))),
+        *(("at most 86400 seconds", *bad)
+          for bad in ((runtime.straight, 1.0, 86_401.0), (runtime.follow, way, 1.0, 86_401.0))),
         (text, runtime.follow, way, "1"),
         *((limits, runtime.follow, way, *bad) for bad in ((0.0,), (1.0, -1.0), (1.0, math.inf))),
         *((shape, runtime.Command, value)
@@ -257,7 +260,9 @@ def test_straight_commands():
     assert commands[0].velocity == pytest.approx((1.2, 1.6))
     assert math.hypot(*commands[0].facing) == pytest.approx(1.0)
     assert runtime.straight()[599].velocity == (0.0, 1.2)  # for ten seconds
-    assert runtime.Command().velocity == (0.0, 0.0)
+    assert vars(runtime.Command()) == {"velocity": (0.0, 0.0), "facing": (0.0, 1.0)}
+    assert len(runtime.straight(1.0, 86_400.0)) == 60 * 86_400
+    assert runtime.Command((-1e6, 1e6)).velocity == (-1e6, 1e6)
 
 
 @pytest.fixture(scope="module")
@@ -337,6 +342,17 @@ def test_pilots_command_their_speed_along_the_path_and_half_more_if_late(replaye
         assert_close(command.velocity, expected, atol=1e-4, rtol=0)
         look = torch.nn.functional.normalize(command.facing, dim=-1)
         assert_close(look, torch.tensor([0.0, 1.0]), check_dtype=False)
+
+
+def test_pilots_command_what_they_did(replayed):
+    """On paths with corners and short legs, from places on and beside them."""
+    for at, (count, speed, seconds) in enumerate([(2, 0.5, 0.3), (5, 1.3, None), (9, 2.1, 4.0)]):
+        drawn = torch.Generator().manual_seed(at)
+        path = torch.randn(count, 2, generator=drawn).cumsum(0)
+        place = path.repeat_interleave(3, 0) + 0.3 * torch.randn(3 * count, 2, generator=drawn)
+        state = runtime.start(replayed[0], torch.zeros(len(place), 1), position=place)
+        given = [vars(pilot(state)) for pilot in runtime.follow(path, speed, seconds)]
+        unchanged.check(f"pilots of {count} points", [len(given), given[::5]])
 
 
 def test_future_directions_turn_towards_the_command_by_the_weight_of_their_time(replayed):

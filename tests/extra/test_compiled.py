@@ -5,6 +5,7 @@ import dataclasses
 import numba
 import pytest
 import torch
+import unchanged
 from numba.core.caching import IndexDataCacheFile
 from refusal import refusal
 from torch.testing import assert_close
@@ -88,6 +89,49 @@ def test_rare_branches_of_a_step_equal_the_plain_ones(pretrained):
             drive=state.drive + torch.linspace(-0.9, 9.0, 6)[:, None])
         plain, fast = (runtime.step(m, moved, command) for m in (model, compiled))
         assert_close(vars(fast), vars(plain), atol=1e-3, rtol=0)
+
+
+def drawn(state):
+    """The state with numbers at random, in all that steers it and its feet."""
+    def some(*shape, scale=1.0):
+        return scale * torch.randn(len(state.joints), *shape, generator=seeded)
+
+    def apart(*values):  # one of these for each character, in turn
+        return torch.tensor(values)[torch.arange(len(state.joints)) % len(values)][:, None]
+
+    seeded = torch.Generator().manual_seed(3)
+    look = torch.nn.functional.normalize(some(2), dim=-1)
+    history = state.history.clone()
+    pace = apart(0.0, 0.001, 0.01, 0.03) * torch.ones(1, 2) + some(2, scale=0.002)
+    history[..., :2] += pace[:, None] * torch.linspace(-60.0, 0.0, 61)[:, None]
+    history[:, -20:, :2] += some(20, 2, scale=0.002)
+    return dataclasses.replace(
+        state, history=history, velocity=apart(0.0, 0.02, 0.08, 0.2, 1.0, 3.0) * look,
+        asked=some(2, scale=0.5), drive=apart(0.0, 0.1, 1.0, 5.0, 9.9), facing=look,
+        aside=apart(-0.99, 0.0, 0.2), rest=apart(0.0, 0.03, 0.5, 0.97, 1.0, 1.0, 1.0),
+        contacts=(0.5 + some(2, scale=0.4)).clamp(0.0, 1.0), drop=some(2, scale=0.03),
+        toes=state.toes + some(2, 3, scale=0.05), drift=some(2, 3, scale=0.2),
+        swivel=some(2, scale=0.2), phase=state.phase * (1 + some(1, scale=0.3)))
+
+
+@pytest.mark.parametrize("lift", [1.0, 1.2])
+def test_any_state_steps_alike_and_as_it_did(lift):
+    model, bank = tk.pretrained()
+    model.lift = lift
+    styles = bank.vectors[torch.arange(120) % len(bank)]
+    *_, state = runtime.states(model, commands(30, 120), styles)
+    state = drawn(state)
+    orders = torch.stack((state.facing[:, 1], state.facing[:, 0]), -1)
+    orders = Command(orders * torch.tensor([0.0, 0.05, 0.2, 1.2, 4.0]).repeat(24)[:, None], orders)
+    with torch.inference_mode():
+        plain = runtime.step(model, state, orders)
+    compiled = runtime.compile(model)
+    fast = runtime.step(compiled, state, orders)
+    assert_close(vars(fast), vars(plain), atol=1e-3, rtol=0)
+    for name, value in vars(plain).items():
+        unchanged.check(f"a step from anywhere, lift {lift}: {name}", value, near=1e-4)
+    for runs in (model, compiled):
+        unchanged.check(f"a pose from anywhere, lift {lift}", runtime.pose(runs, plain), near=1e-4)
 
 
 def test_legs_and_arms_out_of_reach_bend_alike(pretrained):
