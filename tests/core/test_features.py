@@ -249,6 +249,16 @@ def test_the_mean_velocity_of_a_style_clip_is_that_of_its_root():
     assert_close(features.mean_velocity(clips), goes)
 
 
+def test_the_natural_speed_is_the_median_of_walks_ahead():
+    """Of 0.3 and 0.5 m/s; others are slow, go aside, or backwards."""
+    goes = torch.tensor([[0.0, 0.3], [0.0, 0.15], [0.3, 0.5], [0.2, 0.5], [0.0, -1.0], [2.0, 3.0]])
+    velocity = torch.zeros(6, 240, 1, 3)
+    velocity[..., ::2] = goes[:, None, None]
+    clips = features.pack_joints(*torch.zeros(3, 6, 240, 1, 3), velocity)
+    assert features.natural_speed(clips) == pytest.approx(0.3)
+    assert math.isnan(features.natural_speed(clips[1:3]))
+
+
 def test_the_frame_numbers_of_two_recordings_are_more_than_a_style_clip_apart(walk_clip):
     data = features.build([walk_clip, walk_clip], source="contact")
     numbers, takes = data.frames["Neutral"], data.takes["Neutral"]

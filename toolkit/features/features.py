@@ -312,7 +312,7 @@ def style_rows(own: OwnFeatures, takes: Iterable[tuple[int, int]]) -> dict[str, 
     """
     device, parts = own.joints.device, []
     first = 0  # of the recording's frames, in ``own``
-    last, number, free = None, 0, 0  # its take before, number of its first frame, next free one
+    last, free = None, 0  # its take before, and the next number of a frame that is free
     for take, n in takes:
         # Frames of a style are numbered through, with gaps of `CLIP_FRAMES` between recordings, so
         # that no window of held-out frames touches two recordings (`splits.style_clips`).
