@@ -110,7 +110,8 @@ def test_measures_of_odd_clips_are_what_they_were(walks):
     lying = damages.turned(walk, [0], torch.tensor([[[1.4, 0.0, 0.0]]]).expand(len(walk), 1, 3))
     spun = damages.turned(walk, [0], torch.linspace(0, 6, 120)[:, None, None] * torch.eye(3)[1])
     odd = {
-        "stands": stick(30), "slides": stick(60, 0.43, 60.0), "flies": walk.moved(shift=(0, 0.5, 0)),
+        "stands": stick(30), "slides": stick(60, 0.43, 60.0),
+        "flies": walk.moved(shift=(0, 0.5, 0)),
         "runs": tk.datasets.procedural.generate("Neutral", "FR", seconds=1.5), "lies": lying,
         "hops": tk.datasets.procedural.generate("HopLeft", seconds=1.5),
         "spins": spun, "shakes": damages.noise(walk, 4.0), "at 30 Hz": walk.resample(30),
