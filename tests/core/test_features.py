@@ -28,6 +28,8 @@ def test_widths_are_the_papers(walk_clip):
     layout = Layout(walk_clip.skeleton)
     assert (layout.n_joints, layout.n_inputs, layout.n_outputs) == (25, 348, 342)
     assert (layout.n_phases, layout.n_clip) == (8, 300)
+    assert layout.behind == tuple(range(-60, 0, 10))
+    assert layout.ahead == tuple(range(0, 60, 10))
     assert Layout(walk_clip.skeleton, samples=(-60, 0, 10)).n_inputs == 12 + 300
     with refusal(r"^samples .* got \[0, 10\]$"):
         Layout(walk_clip.skeleton, samples=(0, 10))

@@ -2,6 +2,7 @@
 
 import copy
 import functools
+import itertools
 import math
 from dataclasses import replace
 
@@ -74,6 +75,22 @@ def test_a_perfect_model_replays_the_clip(walk_clip, replayed):
     assert sunk[60:].max() < 0.015  # procedural legs are nearly straight in stance
     expected_phase = model.rows.outputs[119, model.layout.outputs["phases"]]
     assert (run[-1].phase - expected_phase).abs().max() < 1e-4
+
+
+def test_a_model_with_a_memory_is_given_the_frames_before(walk_clip):
+    model, seen = Replay(walk_clip), []
+    model.memory = 2
+
+    def predict(x, *rest):
+        seen.append(x)
+        return replay(x, *rest)
+
+    replay, model.predict = model.predict, predict
+    list(runtime.states(model, runtime.straight(1.0, 0.1), torch.zeros(1)))
+    assert seen[0].shape == (1, 3, model.layout.n_inputs)
+    assert torch.equal(seen[0][:, 0], seen[0][:, 1])  # it has stood there before
+    assert all(torch.equal(new[:, :2], old[:, 1:]) for old, new in itertools.pairwise(seen))
+    assert all(not torch.equal(x[:, 1], x[:, 2]) for x in seen)
 
 
 def test_foot_ik_stops_a_slide(walk_clip, replayed):
