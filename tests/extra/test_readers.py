@@ -10,7 +10,9 @@ from random import Random
 import numpy as np
 import pytest
 import torch
+import unchanged as numbers
 from motion_files import Document, axis_angles, fbx, fbx_scene, packed, smpl_walk
+from refusal import refusal
 from robustness import fuzz
 from robustness.fuzz import targets
 from scipy.spatial.transform import Rotation
@@ -18,6 +20,8 @@ from scipy.spatial.transform import Rotation
 import toolkit as tk
 from toolkit.extra.formats import (
     fbx as fbx_reader,
+    fbx_curves,
+    fbx_records,
     gltf,
     gltf_file,
     humanml3d,
@@ -25,8 +29,9 @@ from toolkit.extra.formats import (
     key_times,
     nodes,
     npz,
+    recorded_body,
 )
-from toolkit.io import bvh_text
+from toolkit.io import bvh, bvh_text
 from toolkit.motion import forward_kinematics
 
 pytestmark = pytest.mark.usefixtures("unchanged")
@@ -572,9 +577,33 @@ def test_two_keys_have_a_rate():
     assert key_times.frame_rate([np.array([0.0, 0.05])], 30.0) == 20.0
 
 
-def test_tables_of_the_formats_are_what_they_were(unchanged):
-    unchanged += [fbx_reader.RATES, key_times.RATES, bvh_text.RATES, interpretation.UNITS,
-                  npz.rest_pose(24), npz.ORIGIN, npz.ORIGIN_X]
+def test_a_long_file_may_have_many_frames():
+    """Of 50 joints at 30 Hz: an eighth of the bytes, above a million, are frames of joints."""
+    times = [np.array([0.0, 1000.0])]
+    at, rate = key_times.sampled(times, 30.0, 50, 8 * 1_600_000)
+    assert (len(at), rate) == (30_001, 30.0)
+    with refusal("30000 frames of 50 joints are more than 11200000 bytes can hold"):
+        key_times.sampled(times, 30.0, 50, 8 * 1_400_000)
+
+
+def test_properties_of_a_record_follow_each_other():
+    given = [np.arange(5.0), 3, "a", np.arange(7), b"bc", 1.5, np.arange(2.0), True]
+    for packed_ in (True, False):
+        read = fbx_records.Records(fbx([("X", given, [])], pack_arrays=packed_))
+        (record,) = read.records(27, len(read.data))
+        found = read.values(record)
+        assert [np.asarray(x).tolist() for x in found] == [
+            x.encode() if isinstance(x, str) else np.asarray(x).tolist() for x in given]
+
+
+def test_constants_of_the_formats_are_what_they_were(unchanged):
+    unchanged.append(npz.rest_pose(24))
+    for of in (fbx_reader, fbx_records, fbx_curves, gltf, gltf_file, humanml3d, interpretation,
+               key_times, nodes, npz, recorded_body, bvh, bvh_text):
+        values = {name: value for name, value in vars(of).items()
+                  if name.isupper() and isinstance(value, int | float | tuple | dict)}
+        found = [[name, values[name]] for name in sorted(values)]
+        numbers.check(f"constants of {of.__name__}", found, near=1e-6)
 
 
 def scene_of(random):
