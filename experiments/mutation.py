@@ -90,7 +90,7 @@ def places(node: ast.AST) -> list[ast.AST]:
     elif isinstance(node, ast.Constant) and isinstance(node.value, int | float):
         found += [node] * (node.value == 0 or abs(node.value) >= SMALLEST)
     elif isinstance(node, ast.Call):
-        unsigned = ast.unparse(node.func).endswith(("abs", "norm"))
+        unsigned = ast.unparse(node.func).endswith(("abs", "norm", "cos"))
         found += [node] * any(isinstance(a, ast.BinOp) and not unsigned for a in node.args)
     for name, value in ast.iter_fields(node):
         for child in value if isinstance(value, list) else [value]:

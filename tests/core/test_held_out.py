@@ -12,7 +12,7 @@ from test_training import QUICK, waves
 from experiments.seven_models import models
 from toolkit import networks, training
 from toolkit.features import splits
-from toolkit.training.loss import STEPS, refit, repeat_frame
+from toolkit.training.loss import BATCH, STEPS, refit, repeat_frame
 
 
 def test_the_rate_of_the_style_modulation_is_that_of_the_model():
@@ -99,7 +99,8 @@ def test_banks_errors_and_baselines_are_what_they_were(two_styles, name):
 
 
 def test_vectors_are_fitted_by_default_but_not_of_older_files_nor_of_tables():
-    assert training.Config().refit == training.Config.quick().refit == STEPS > 0
+    assert training.Config().refit == training.Config.quick().refit == STEPS == 30
+    assert BATCH == 64
     stored = json.loads(json.dumps(asdict(QUICK)))
     older = {name: value for name, value in stored.items() if name != "refit"}
     assert training.Config.from_json(older).refit == 0
