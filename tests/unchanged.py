@@ -10,6 +10,7 @@ import zlib
 from collections.abc import Iterator
 from dataclasses import is_dataclass
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -57,3 +58,11 @@ def check(test: str, thing: Any, near: float = 1e-5) -> None:
     *before, texts = stored[test]
     assert (found[:-1], found[-1]) == (pytest.approx(before, rel=10 * near, abs=near), texts), (
         f"{test}: {found} is not {stored[test]}")
+
+
+def constants(module: ModuleType) -> None:
+    """Compare the numbers of a module with the stored ones."""
+    values = {name: value for name, value in vars(module).items()
+              if name.isupper() and isinstance(value, int | float | tuple | dict)}
+    found = [[name, values[name]] for name in sorted(values)]
+    check(f"constants of {module.__name__}", found, near=1e-6)

@@ -137,6 +137,27 @@ def said(call, *given, **options):
         return str(error)
 
 
+def test_constants_of_measures_are_what_they_were():
+    for module in (findings, metrics.pairs, metrics.quality):
+        unchanged.constants(module)
+
+
+def test_a_toe_that_slides_under_hips_that_stay_counts_by_the_centimetre():
+    clip, foot = stick(), HUMAN.role("left_foot")
+    turns = torch.tensor([0.0, 0.3]).repeat(21)[:41, None, None] * torch.eye(3)[1]
+    clip = damages.turned(clip, [foot], turns)
+    moved = clip.global_positions[:, HUMAN.role("left_toe")].diff(dim=0).norm(dim=-1)
+    assert metrics.skate_camdm(clip) == pytest.approx(float(moved.sum()) / (2 * 41) / 0.01)
+
+
+def test_on_its_feet_is_chest_above_hips_above_ankles():
+    height = stick().global_positions[0, :, 1].clone()
+    chest, spine = HUMAN.trunk[:2]
+    assert metrics.on_feet(HUMAN, height)
+    height[chest], height[spine] = 0.8, 1.5
+    assert not metrics.on_feet(HUMAN, height)
+
+
 def test_what_cannot_be_measured_is_refused(walks):
     clip, real = walks
     for measure, given, reason in (
@@ -178,6 +199,8 @@ def test_measures_of_sets_computed_by_hand():
     assert metrics.recognition(Judge(), clips) == pytest.approx(2 / 4)
     assert math.isnan(metrics.recognition(Judge(), clips[4:]))
     assert metrics.multimodality(Judge(), clips) == pytest.approx(5.0)  # (0, 1) and (3, 5)
+    more = [*clips, *(seen("D", [[x, 0]]) for x in (0, 1))]
+    assert metrics.multimodality(Judge(), more) == pytest.approx((5 + 1) / 2)
     assert metrics.diversity(Judge(), clips[:4]) == pytest.approx((5 + 0 + 3 + 5 + 4 + 3) / 6)
     assert math.isnan(metrics.diversity(Judge(), clips[:1]))
     assert math.isnan(metrics.multimodality(Judge(), clips[2:]))
@@ -198,6 +221,7 @@ def test_frechet_distance_equals_the_closed_form_of_gaussians():
     a, b = exact(torch.zeros(3).double(), torch.eye(3).double(), 40), exact(mean, root, 70)
     closed = mean.square().sum() + (root.diag() - 1).square().sum()  # of covariances that commute
     assert metrics.frechet_distance(a, b) == pytest.approx(float(closed), rel=1e-6)
+    assert metrics.frechet_distance(a, a) == pytest.approx(0.0, abs=1e-9)
     few = torch.randn(3, 50, generator=draw)  # fewer rows than columns
     assert metrics.frechet_distance(few, few + 2.0) == pytest.approx(200.0, rel=1e-5)
 

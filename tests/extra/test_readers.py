@@ -600,10 +600,7 @@ def test_constants_of_the_formats_are_what_they_were(unchanged):
     unchanged.append(npz.rest_pose(24))
     for of in (fbx_reader, fbx_records, fbx_curves, gltf, gltf_file, humanml3d, interpretation,
                key_times, nodes, npz, recorded_body, bvh, bvh_text):
-        values = {name: value for name, value in vars(of).items()
-                  if name.isupper() and isinstance(value, int | float | tuple | dict)}
-        found = [[name, values[name]] for name in sorted(values)]
-        numbers.check(f"constants of {of.__name__}", found, near=1e-6)
+        numbers.constants(of)
 
 
 def scene_of(random):
