@@ -127,8 +127,10 @@ def table(**values):
 
 
 def fbx_scene(models, curves, *, settings=None, other=None, version=7400,
-              pack_arrays=True):
+              pack_arrays=True, templates=()):
     """A scene of models ``{name: (parent, properties)}`` and of curves.
+
+    ``templates`` are pairs of a kind of objects and its usual properties.
 
     ``curves`` are ``{(model, property, axis): (times, values, flags, data)}``.
     """
@@ -159,8 +161,11 @@ def fbx_scene(models, curves, *, settings=None, other=None, version=7400,
     wide = {"UpAxis": [1], "UpAxisSign": [1], "UnitScaleFactor": [1.0],
             "TimeMode": [6]} | (settings or {})
     said = [(name, [value], []) for name, value in (other or {}).items()]
+    usual = [("ObjectType", [kind], [("PropertyTemplate", ["X"], [table(**values)])])
+             for kind, values in templates]
     return fbx([("FBXHeaderExtension", [], [("OtherFlags", [], said)]),
-                ("GlobalSettings", [], [table(**wide)]), ("Objects", [], objects),
+                ("GlobalSettings", [], [table(**wide)]),
+                *([("Definitions", [], usual)] if usual else []), ("Objects", [], objects),
                 ("Connections", [], links)], version, pack_arrays=pack_arrays)
 
 

@@ -142,6 +142,7 @@ def test_build_against_a_slow_loop(two_walks):
     assert data.layout == Layout(clips[0].skeleton)
     assert data.styles == ["Neutral", "Twin"]
     assert data.n_frames == 139 * 5
+    assert f"frames=695, seconds={139 * 5 / 60:.4g}" in repr(data)
     for style, parts in expected.items():
         takes, rows, clips = zip(*parts, strict=True)
         for kind in ("inputs", "phases", "outputs"):
@@ -237,6 +238,11 @@ def test_the_same_file_at_two_scales_is_not_mixed(walk_clip):
         tk.features.build([scaled(1.0), scaled(2.54)])
     assert Layout(scaled(1.0).skeleton) == Layout(scaled(1.15).skeleton)  # a tall person
     assert Layout(scaled(1.0).skeleton) != Layout(scaled(1.7).skeleton)  # another unit
+    for names, ends in ((["x", *skeleton.names[1:]], skeleton.ends),
+                        (skeleton.names, skeleton.ends[1:])):
+        roles = skeleton.roles | {"hips": names[0]}
+        other = tk.Skeleton(names, skeleton.parents, skeleton.offsets, roles, ends)
+        assert Layout(other).difference(Layout(skeleton)) == "its joints differ"
     longer = skeleton.offsets.clone()
     longer[1] += 9  # metres: the first bone counts as the others
     other = tk.Skeleton(skeleton.names, skeleton.parents, longer)
@@ -286,13 +292,14 @@ def test_features_and_splits_are_what_they_were(walk_clip, zombie, mirror, short
              for part in (data, *held)]
     for number, part in enumerate(found):
         unchanged.check(f"features, mirror {mirror}: {number}", part)
+    unchanged.check(f"ground, mirror {mirror}", data.ground(), near=1e-6)
     unchanged.check(f"normalisers, mirror {mirror}", [*map(vars, data.normalisers().values())])
 
 
 def test_defaults_of_features():
     """No mirror images, a short clip is an error, local phases of the hybrid source."""
-    signature = inspect.signature
-    given = {name: p.default for make in (features.build, features.features.recordings)
-             for name, p in signature(make).parameters.items() if p.kind is p.KEYWORD_ONLY}
-    assert given == {"source": "hybrid", "mirror": False, "short": "raise", "progress": False,
-                     "samples": tuple(range(-60, 60, 10))}
+    for make in (features.build, features.features.recordings):
+        given = {name: p.default for name, p in inspect.signature(make).parameters.items()
+                 if p.kind is p.KEYWORD_ONLY}
+        assert given == {"source": "hybrid", "mirror": False, "short": "raise", "progress": False,
+                         "samples": tuple(range(-60, 60, 10))}

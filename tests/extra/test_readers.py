@@ -575,6 +575,8 @@ def test_numpy_files_that_unpack_to_much_more(tmp_path):
 
 def test_two_keys_have_a_rate():
     assert key_times.frame_rate([np.array([0.0, 0.05])], 30.0) == 20.0
+    beside = [np.array([0.0, 1 / 30 + 0.0022, 2 / 30, 5 / 30])]  # by 0.066 frames at 30 Hz
+    assert key_times.frame_rate(beside, 24.0) == 24.0
 
 
 def test_a_long_file_may_have_many_frames():
@@ -635,6 +637,18 @@ def test_scenes_are_read_as_they_were(unchanged):
                                            doubts=doubts)).values()
         except ValueError as error:
             unchanged += [str(error), *doubts]
+
+
+def test_models_have_the_properties_of_their_template_unless_they_say_others(tmp_path):
+    usual = {"PreRotation": [30.0, 0.0, 50.0], "RotationOrder": [4]}
+    models = {"a": ("", {"Lcl_Rotation": [10.0, 20.0, 30.0], "RotationOrder": [2]}),
+              "b": ("a", {"Lcl_Translation": [0.0, 1.0, 0.0], "Lcl_Rotation": [5.0, 60.0, 7.0]}),
+              "c": ("b", {"Lcl_Translation": [0.0, 1.0, 2.0], "PreRotation": [0.0, 0.0, 9.0]})}
+    said = {name: (parent, usual | values) for name, (parent, values) in models.items()}
+    templates = [("Model", usual), ("Material", {"PreRotation": [0.0, 80.0, 0.0]})]
+    files = (fbx_scene(models, {}, templates=templates), fbx_scene(said, {}))
+    one, same = (world(fbx_reader.read(written(tmp_path / "a.fbx", data))) for data in files)
+    torch.testing.assert_close(one, same)
 
 
 def test_fbx_scenes_are_read_as_they_were(tmp_path, unchanged):
