@@ -264,6 +264,8 @@ def test_a_rollout_drops_nothing_out_of_a_model_in_training_mode(walk_clip):
     model = tk.networks.build("lpn-film", Layout(walk_clip.skeleton), 1, tk.networks.Sizes.small())
     commands, style = runtime.straight(1.0, 0.1), torch.randn(model.style_size)
     expected = runtime.rollout(model, commands, style)
+    assert not torch.equal(runtime.rollout(model, commands, style, ik=False).rotations,
+                           expected.rotations)
     model.train().gating.eval()  # a part that its user froze stays frozen
     assert torch.equal(runtime.rollout(model, commands, style).rotations, expected.rotations)
     assert model.training
