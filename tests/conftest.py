@@ -1,17 +1,13 @@
+"""What tests share. The process that only hands tests out imports nothing slow from here."""
+
 import os
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-import torch
-import unchanged as numbers
 from hypothesis import settings
-from posed_rigs import rig, with_twists
 
 import toolkit as tk
-from toolkit.__main__ import main
-from toolkit.extra.formats import inspection, interpretation
-from toolkit.io.recording import Recording
 
 settings.register_profile("repeatable", derandomize=True, deadline=None, max_examples=25,
                           database=None)
@@ -20,7 +16,7 @@ settings.load_profile("repeatable")
 SLOW = ("test_shots", "test_styles", "test_docs", "test_export", "test_training", "test_package",
         "test_store", "test_exercises", "test_runtime", "test_report", "test_own_models",
         "test_stylization")
-torch.set_num_threads(1)  # small tensors: more threads only wait for each other
+os.environ.setdefault("OMP_NUM_THREADS", "1")  # small tensors: more threads only wait
 
 
 def pytest_collection_modifyitems(items):
@@ -49,27 +45,27 @@ def shared() -> Path:
 
 
 @pytest.fixture(scope="session")
-def walk_clip() -> tk.Clip:
+def walk_clip() -> "tk.Clip":
     """Eight seconds of procedural walking."""
     return tk.datasets.procedural.generate("Neutral", seconds=8.0)
 
 
 @pytest.fixture(scope="session")
-def zombie() -> tk.Clip:
+def zombie() -> "tk.Clip":
     """Three seconds of procedural walking, away from the origin and from the axes."""
     clip = tk.datasets.procedural.generate("Zombie", seconds=3.0)
     return clip.moved(turn=0.7, shift=(2.0, 0.0, -1.0))
 
 
 @pytest.fixture(scope="session")
-def two_styles() -> tk.features.Features:
+def two_styles() -> "tk.features.Features":
     """Features of ten seconds of each of two styles."""
     return tk.features.build(
         tk.datasets.load("procedural", styles=["Neutral", "Zombie"], gaits=["FW"], seconds=10.0))
 
 
 @pytest.fixture(scope="session")
-def small_run(two_styles) -> tk.training.Run:
+def small_run(two_styles) -> "tk.training.Run":
     """A model of two styles after a few steps: its weights are real, its motion is not yet."""
     sizes = tk.networks.Sizes(hidden=32, experts=4, gating=8, film_channels=8, film_kernel=5,
                               film_dense=16, dropout=0.0)
@@ -85,7 +81,7 @@ def one_walk():
 
     made, example = {}, live_page.example
 
-    def known(model, bank) -> tk.Clip:
+    def known(model, bank) -> "tk.Clip":
         key = model.name, bank.vectors[0].numpy().tobytes()
         if key not in made:
             made[key] = example(model, bank)
@@ -100,6 +96,8 @@ def one_walk():
 @pytest.fixture(scope="session")
 def hero(tmp_path_factory) -> Path:
     """A skinned body on a rig with bones along their own y, twist bones, shorter legs."""
+    from posed_rigs import rig, with_twists
+
     path = tmp_path_factory.mktemp("hero") / "hero.glb"
     tk.extra.engines.gltf.save(rig("along y", arms=1.1, legs=0.85, hips=1.1, joints=with_twists),
                                path)
@@ -116,6 +114,8 @@ def fast() -> tuple:
 @pytest.fixture
 def command(capsys):
     """``command(words, *more, status=0)``: what the command line printed and what it said."""
+    from toolkit.__main__ import main
+
     def run(words: str, *more: object, status: int = 0):
         assert main([*words.split(), *map(str, more)]) == status
         return capsys.readouterr()
@@ -127,6 +127,11 @@ def command(capsys):
 def unchanged(request, monkeypatch) -> Iterator[list]:
     """What readers find in a test, what is guessed about it, and what is added, are what they were.
     """
+    import unchanged as numbers
+
+    from toolkit.extra.formats import inspection, interpretation
+    from toolkit.io.recording import Recording
+
     seen, made = [], Recording.__init__
 
     def kept(self, *args, **options):
