@@ -51,8 +51,9 @@ def check(test: str, thing: Any, near: float = 1e-5) -> None:
     stored = json.loads(STORED.read_bytes()) if STORED.exists() else {}
     found = digest(thing)
     if os.environ.get("TOOLKIT_UNCHANGED") == "store":
-        stored[test] = [float(f"{x:.6g}") for x in found[:-1]] + found[-1:]
-        rows = (f"{json.dumps(name)}: {json.dumps(stored[name])}" for name in sorted(stored))
+        stored[test] = [*found[:2], *(float(f"{x:.6g}") for x in found[2:-1]), found[-1]]
+        rows = (json.dumps({name: stored[name]}, separators=(",", ":"))[1:-1]
+                for name in sorted(stored))
         STORED.write_text("{\n" + ",\n".join(rows) + "\n}\n", encoding="utf-8")
     assert test in stored, f"{test}: no numbers are stored, see tests/unchanged.py"
     *before, texts = stored[test]
