@@ -160,6 +160,7 @@ def fbx_scene(models, curves, *, settings=None, other=None, version=7400,
         links.append(("C", ["OP", 5000 + i, nodes[model, what], f"d|{axis}"], []))
     wide = {"UpAxis": [1], "UpAxisSign": [1], "UnitScaleFactor": [1.0],
             "TimeMode": [6]} | (settings or {})
+    wide = {name: value for name, value in wide.items() if value is not None}
     said = [(name, [value], []) for name, value in (other or {}).items()]
     usual = [("ObjectType", [kind], [("PropertyTemplate", ["X"], [table(**values)])])
              for kind, values in templates]

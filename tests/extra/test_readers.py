@@ -427,6 +427,20 @@ def test_a_joint_may_have_no_size_and_a_file_one_frame_a_second(tmp_path):
     read = fbx_reader.Scene(scene)
     assert [node.scale[0].tolist() for node in read.nodes({})] == [[1.0] * 3, [0.0] * 3, [2.0] * 3]
     assert read.recording(None).fps == 1
+    nothing = dict.fromkeys(("UpAxis", "UpAxisSign", "UnitScaleFactor", "TimeMode"))
+    read = fbx_reader.Scene(fbx_scene(models, turns, settings=nothing))
+    assert (read.up, read.unit, read.recording(None).fps) == ("y", 0.01, 30.0)
+    slow = {"poses": np.zeros((4, 72)), "trans": np.zeros((4, 3)), "fps": 0.5}
+    assert npz.read(written(tmp_path / "a.npz", packed(**slow))).fps == 0.5
+
+
+@pytest.mark.parametrize(("at", "doubts"), [((0.2, 1.0), 0), ((0.0, 1.0), 1), ((0.2, 1.3), 1)])
+def test_a_curve_that_goes_on_by_a_rule_is_doubted_beyond_its_keys(at, doubts):
+    keys = np.array([0.2, 1.0])
+    curve = fbx_curves.Curve(keys, keys, np.array([4, 4]), np.zeros((2, 4)), repeated=True)
+    values, said = curve(np.array(at))
+    assert values.tolist() == pytest.approx(np.clip(at, 0.2, 1.0).tolist())
+    assert len(said) == doubts
 
 
 @pytest.mark.parametrize(("flag", "second"), [(0, fbx_reader.NEW_SECOND),
