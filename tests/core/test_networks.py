@@ -3,6 +3,7 @@ import json
 
 import pytest
 import torch
+import unchanged
 from refusal import refusal
 from safetensors.torch import load_file, save_file
 from torch.nn import functional
@@ -283,6 +284,9 @@ def test_a_calibrated_model_computes_the_mean_over_dropout():
         normal = mean + torch.randn(n, 6) * variance.sqrt()
         slow = functional.elu(gamma * (normal - mean.mean()) / scale + beta).mean(0)
         assert_close(film.expected(0, mean, style, variance)[0], slow, rtol=0.05, atol=0.02)
+    several, other = torch.randn(3, 6), torch.rand(3, 6)  # each frame has its own variance
+    rows = [film.expected(1, a[None], style, b[None]) for a, b in zip(several, other, strict=True)]
+    assert_close(film.expected(1, several, style, other), torch.cat(rows))
     model = tiny_model()
     x, p, s = something(model)
     plain = model.predict(x, p, s)
@@ -293,7 +297,27 @@ def test_a_calibrated_model_computes_the_mean_over_dropout():
     assert networks.Model.from_parts("m", model.parts()[0], {"model": description}).calibrated
 
 
+@pytest.mark.parametrize("name", networks.MODELS)
+def test_models_start_and_compute_as_they_did(name):
+    model = tiny_model(name=name)
+    rows, clips = something(model), torch.randn(5, 240, model.layout.n_clip)
+    unchanged.check(f"weights of {name}", model.state_dict(), near=1e-4)
+    vectors = [model.style_vector(clips[:n], number) for n, number in ((1, 0), (5, 1))]
+    found = [vectors, model.predict(*rows)]
+    if name == "lpn-film":
+        model.calibrated = True
+        found.append(model.predict(*rows))
+    unchanged.check(f"predictions of {name}", found, near=1e-4)
+
+
+def test_a_spline_at_a_control_point_has_its_weights_alone():
+    gates = networks.experts.CatmullRom()(torch.tensor([[0.0], [torch.pi / 2]]))
+    assert_close(gates, torch.eye(4)[:2])
+
+
 def test_weights_start_in_their_ranges_and_gates_are_a_convex_blend():
+    bias = FilmGenerator(3, 8, 5, 2, 3, 4, 0.1).out.bias
+    assert bias.tolist() == [1.0] * 5 + [0.0] * 5 + [1.0] * 5 + [0.0] * 5
     layer, gating = BlendedLinear(8, 30, 20), Gating(8, 32, 8, 0.3).eval()
     bounds = {layer: 30 * 20} | {dense: sum(dense.weight.shape) for dense in gating.layers}
     for part, size in bounds.items():
