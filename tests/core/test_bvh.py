@@ -293,7 +293,7 @@ def drawn(random):
     """The text of a file: any tree, channels, offsets, places, angles and frame time."""
     pick, number, joints = random.choice, random.gauss, random.randint(2, 16)
     parents = [-1, *(random.randint(max(0, j - 3), j - 1) for j in range(1, joints))]
-    below, names = ({j: [] for j in range(joints)} for _ in range(2))
+    below = {j: [] for j in range(joints)}
     for j in range(1, joints):
         below[parents[j]].append(j)
     length, turns = pick((0.01, 1, 100)), pick((0.05, 0.2, 1, 2))

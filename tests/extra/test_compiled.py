@@ -102,7 +102,7 @@ def drawn(state):
     seeded = torch.Generator().manual_seed(3)
     look = torch.nn.functional.normalize(some(2), dim=-1)
     history = state.history.clone()
-    pace = apart(0.0, 0.001, 0.01, 0.03) * torch.ones(1, 2) + some(2, scale=0.002)
+    pace = apart(0.0, 0.001, 0.01, 0.03) + some(2, scale=0.002)
     history[..., :2] += pace[:, None] * torch.linspace(-60.0, 0.0, 61)[:, None]
     history[:, -20:, :2] += some(20, 2, scale=0.002)
     return dataclasses.replace(
