@@ -5,8 +5,10 @@ After the cells of a notebook, its folded solutions run in the same kernel.
 
 import os
 import re
+import sys
 
 import nbformat
+from jupyter_client.provisioning import local_provisioner
 
 for name, value in {
     "PYVISTA_OFF_SCREEN": "true",
@@ -16,6 +18,11 @@ for name, value in {
     "TOOLKIT_FAST": "1",
 }.items():
     os.environ.setdefault(name, value)
+
+if sys.platform == "linux":
+    import forked_kernel
+
+    local_provisioner.launch_kernel = forked_kernel.Process
 
 FENCED = r"<summary>Solution</summary>\s*```python\n(.*?)\n```\s*</details>"
 SOLUTION = re.compile(FENCED, re.DOTALL)

@@ -55,8 +55,21 @@ desk
 charts.style_space(points, planted.names, title={COMMENT!r})
 """,
     """
-# last: a controller's frames take the kernel's time
-control = tk.view.Controller(model, planted, size=(240, 180))
+control = other = None
+async def probe():
+    while True:
+        now = {"playing": player.playing, "scene": desk.scene}
+        if other:
+            now |= {"root": control.state.root[0].tolist(), "weights": control.weights,
+                    "other": other.frames, "frames": control.frames,
+                    "recording": control.recording}
+        pathlib.Path("probe.tmp").write_text(json.dumps(now))
+        pathlib.Path("probe.tmp").rename("probe.json")
+        await asyncio.sleep(0.1)
+probing = asyncio.create_task(probe())
+""",
+    """
+control = tk.view.Controller(tk.runtime.compile(model), planted, size=(240, 180))
 control
 """,
     """
@@ -64,26 +77,17 @@ pack = tk.view.Controller.send  # a second one, as of a model with one phase for
 def send(self, content, buffers=None):
     pack(self, content, buffers and [buffers[0][:-28] if self is other else buffers[0]])
 tk.view.Controller.send, other = send, None
-other = tk.view.Controller(model, planted, size=(240, 180))
+other = tk.view.Controller(tk.runtime.compile(model), planted, size=(240, 180))
 other
 """,
-    """
-async def probe():
-    while True:
-        now = {"root": control.state.root[0].tolist(), "weights": control.weights,
-               "other": other.frames, "frames": control.frames, "recording": control.recording,
-               "playing": player.playing, "scene": desk.scene}
-        pathlib.Path("probe.tmp").write_text(json.dumps(now))
-        pathlib.Path("probe.tmp").rename("probe.json")
-        await asyncio.sleep(0.1)
-probing = asyncio.create_task(probe())
-""",
 ]
-RUN = """async () => {
+CONTROL = 8  # the cell of the first controller
+RUN = """async ([index, which]) => {
     const { content, sessionContext } = jupyterapp.shell.currentWidget;
     await sessionContext.ready;
     await sessionContext.session.kernel.info;
-    const done = await jupyterapp.commands.execute("notebook:run-all-cells");
+    content.activeCellIndex = index;
+    const done = await jupyterapp.commands.execute(`notebook:run-all-${which}`);
     const outputs = content.widgets.flatMap((cell) => cell.model.outputs?.toJSON() ?? []);
     const error = outputs.find((output) => output.output_type === "error");
     return error ? `${error.ename}: ${error.evalue}` : done ? "" : "not all ran";
@@ -146,7 +150,7 @@ def test_widgets_in_jupyterlab(browser, lab, tmp_path):
     page.on("pageerror", lambda error: errors.append(str(error)))
     page.goto(f"{lab}/lab/tree/widgets.ipynb?reset")
     page.wait_for_selector('.jp-Notebook-ExecutionIndicator[data-status="idle"]')
-    assert page.evaluate(RUN) == ""
+    assert page.evaluate(RUN, [CONTROL, "above"]) == ""
 
     def kernel(test):
         """What the kernel says about its widgets, as soon as it passes a test."""
@@ -157,11 +161,14 @@ def test_widgets_in_jupyterlab(browser, lab, tmp_path):
         return value
 
     try:
-        steered(page, kernel)
-        no_dials_and_no_frames_without_a_view(page, kernel)
         styles_are_picked(page)
         clips_play(page, kernel)
         shots_reach_the_kernel(page, kernel)
+        # Controllers take the kernel's time, and the page's.
+        assert page.evaluate(RUN, [CONTROL, "below"]) == ""
+        kernel(lambda now: "root" in now)
+        steered(page, kernel)
+        no_dials_and_no_frames_without_a_view(page, kernel)
         assert page.locator(".jp-OutputArea svg[role=img]").count() > 0  # the map of the course
         # Nothing that looks like HTML ran or became an element.
         assert page.evaluate("() => typeof hacked") == "undefined"
@@ -213,7 +220,7 @@ def no_dials_and_no_frames_without_a_view(page, kernel) -> None:
     count = kernel(lambda p: p["other"] > 10)["other"]
     assert page.locator(".tkc-dials").nth(1).is_hidden()
     assert page.locator(".tkc-dials").first.is_visible()
-    page.evaluate(CLEAR, 8)
+    page.evaluate(CLEAR, CONTROL + 1)
     page.wait_for_function("() => document.querySelectorAll('.tkc').length === 1")
     counts = [count, -1]
 
