@@ -231,7 +231,8 @@ def _walked(model: Predictor, bank: StyleBank) -> Tensor:
     for values in (*model.state_dict().values(), bank.vectors):
         known.update(values.cpu().numpy().tobytes())
     if (key := known.digest()) not in _POSES:
-        states = list(runtime.states(model, runtime.straight(*WALK), bank.vectors))
+        commands = runtime.straight(*WALK)
+        states = list(runtime.states(runtime.quick(model, len(commands)), commands, bank.vectors))
         _POSES.clear()
         _POSES[key] = torch.cat([state.joints for state in states[::10]])
     return _POSES[key]

@@ -185,6 +185,8 @@ def quick(model, frames: int, say: Callable[[str], object] | None = None):
     """
     if getattr(model, "name", "") != "lpn-film" or getattr(model, "calibrated", True):
         return model
+    if (model.outputs_mean.device.type, model.outputs_mean.dtype) != ("cpu", torch.float32):
+        return model
     kept = all(map(_kept, KERNELS))
     if frames < (READ if kept else MADE):
         return model
