@@ -72,27 +72,6 @@ def small_run(two_styles) -> "tk.training.Run":
     return tk.training.fit(two_styles, tk.training.Config.quick(steps=60, sizes=sizes))
 
 
-@pytest.fixture(scope="module")
-def one_walk():
-    """Pages and widgets measure a body by a walk of their model, which takes most of their time:
-    in a module that uses this, the same walk is made once.
-    """
-    from toolkit.view.pages import live_page
-
-    made, example = {}, live_page.example
-
-    def known(model, bank) -> "tk.Clip":
-        key = model.name, bank.vectors[0].numpy().tobytes()
-        if key not in made:
-            made[key] = example(model, bank)
-        return made[key]
-
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("toolkit.view.pages.live_page.example", known)
-        patch.setattr("toolkit.view.widgets.controller.example", known)
-        yield
-
-
 @pytest.fixture(scope="session")
 def hero(tmp_path_factory) -> Path:
     """A skinned body on a rig with bones along their own y, twist bones, shorter legs."""

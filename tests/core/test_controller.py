@@ -9,8 +9,6 @@ import toolkit as tk
 from toolkit.view.widgets import controller as module
 from toolkit.view.widgets.controller import Controller
 
-pytestmark = pytest.mark.usefixtures("one_walk")
-
 
 @pytest.fixture
 def control(fast):

@@ -42,7 +42,7 @@ def test_outside_of_a_notebook_playing_gives_a_strip(clip, other):
     assert [axes.texts[0].get_text() for axes in figure.axes] == ["data", "model"]
 
 
-def test_a_page_without_a_kernel_gets_a_picture_and_a_line(clip, monkeypatch, one_walk):
+def test_a_page_without_a_kernel_gets_a_picture_and_a_line(clip, monkeypatch):
     shown = []
     monkeypatch.setattr("toolkit.view.frontend.display", shown.append)
     model, bank = tk.pretrained()

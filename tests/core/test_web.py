@@ -16,7 +16,6 @@ from toolkit import view
 from toolkit.extra.shots import crowd
 from toolkit.view.pages import live_page, page
 
-pytestmark = pytest.mark.usefixtures("one_walk")
 SCENE = Path(page.__file__).parents[1] / "scene"
 
 

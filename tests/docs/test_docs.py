@@ -89,7 +89,6 @@ def test_the_page_of_errors_has_its_tables():
     assert len(table_rows("errors", "Python")) > 8
 
 
-@pytest.mark.usefixtures("one_walk")
 @pytest.mark.parametrize("page", RUN)
 def test_the_code_of_a_page_runs(page, tmp_path, monkeypatch):
     shutil.copytree(DOCS.parent / "examples", tmp_path / "examples")
@@ -111,7 +110,7 @@ def test_the_code_of_a_page_runs(page, tmp_path, monkeypatch):
 
 
 @pytest.mark.filterwarnings("ignore:style 'MyStyle' is too short")
-def test_the_code_of_the_readme_runs(tmp_path, monkeypatch, one_walk):
+def test_the_code_of_the_readme_runs(tmp_path, monkeypatch):
     """As written, but for the length of the walk, of the data and of the trainings."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("toolkit.styles.fine_tuning.WALK", (1.0, 0.2))

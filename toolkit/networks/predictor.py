@@ -5,6 +5,8 @@
 
 import contextlib
 import dataclasses
+import hashlib
+import json
 import os
 import sys
 from collections.abc import Callable, Iterator
@@ -212,6 +214,15 @@ class Predictor(nn.Module):
         return tensors, {"name": self.name, "layout": layout, "n_styles": self.n_styles,
                          "sizes": sizes, "module": getattr(part, "func", part).__module__,
                          **factors}
+
+    def fingerprint(self, *vectors: Tensor) -> bytes:
+        """A hash of all numbers on which walks in these style vectors depend."""
+        numbers = *self.state_dict().values(), *vectors
+        factors = [getattr(self, name) for name in FACTORS]
+        known = hashlib.sha256(json.dumps([repr(self), self.layout.to_json(), factors]).encode())
+        for values in numbers:
+            known.update(f"{values.device}".encode() + values.cpu().numpy().tobytes())
+        return known.digest()
 
     @classmethod
     def from_parts(cls, path: str | os.PathLike, tensors: dict[str, Tensor],

@@ -1,7 +1,6 @@
 """New styles for a trained model (Mason et al. 2022, section 5.3.2): only the style is learnt."""
 
 import copy
-import hashlib
 import math
 import time
 from collections.abc import Callable, Iterator, Sequence
@@ -17,7 +16,6 @@ from toolkit.motion import Clip
 from toolkit.motion.tensors import shown, summary
 from toolkit.networks import Film, FilmGenerator, Predictor
 from toolkit.networks.bank import StyleBank
-from toolkit.networks.predictor import FACTORS
 from toolkit.training import minibatches
 from toolkit.training.loss import baselines, evaluate, loss_terms, make_bank, observed
 from toolkit.training.minibatches import Minibatches
@@ -226,11 +224,7 @@ def _walked(model: Predictor, bank: StyleBank) -> Tensor:
     """Poses of the model's walks in all styles, six per second; kept until others are asked for,
     as a clip's vectors are learnt again and again beside the same bank.
     """
-    settings = [model.outputs_mean.device, *(getattr(model, factor) for factor in FACTORS)]
-    known = hashlib.sha256(f"{model!r} {settings}".encode())
-    for values in (*model.state_dict().values(), bank.vectors):
-        known.update(values.cpu().numpy().tobytes())
-    if (key := known.digest()) not in _POSES:
+    if (key := model.fingerprint(bank.vectors)) not in _POSES:
         commands = runtime.straight(*WALK)
         states = list(runtime.states(runtime.quick(model, len(commands)), commands, bank.vectors))
         _POSES.clear()

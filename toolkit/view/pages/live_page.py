@@ -18,6 +18,7 @@ from toolkit.features import CHANNELS, FRAME_KINDS, Layout
 from toolkit.io import bvh
 from toolkit.io.save import figure_of
 from toolkit.motion import Clip, Skeleton
+from toolkit.networks import Predictor
 from toolkit.networks.film import EPSILON
 from toolkit.runtime import rules
 from toolkit.runtime.life import PERIOD
@@ -31,15 +32,25 @@ PANEL = 8  # outputs whose weights are stored together, see ``scene/network.js``
 TURN = 2.0  # radians per second while a turn key is held
 RUN = 2.2  # speed of a run, relative to walking
 RECORDED, SECONDS = 9, 6.0  # walks of a model that does not run in a page, and their length
+KEPT = 8  # walks that measure a body
 EASE = 0.12  # share of the difference to the marker's blend that a frame removes
+
+_WALKS: dict[bytes, Clip] = {}  # by model and style
 
 
 def example(model, bank) -> Clip:
-    """A walk on a model's skeleton.
+    """A walk on a model's skeleton; the last ones are kept.
 
     Its steps show the height of toes above the soles, and where a character's floor is.
     """
-    return runtime.rollout(model, runtime.straight(1.0, 1.2), bank.vectors[0])
+    commands, vector = runtime.straight(1.0, 1.2), bank.vectors[0]
+    if not isinstance(model, Predictor):
+        return runtime.rollout(model, commands, vector)
+    if (key := model.fingerprint(vector)) not in _WALKS:
+        _WALKS[key] = runtime.rollout(model, commands, vector)
+        if len(_WALKS) > KEPT:
+            del _WALKS[next(iter(_WALKS))]
+    return _WALKS[key]
 
 
 def ordered(bank) -> list[str]:
