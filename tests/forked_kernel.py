@@ -8,7 +8,7 @@ import sys
 FORKS = multiprocessing.get_context("forkserver")
 FORKS.set_forkserver_preload([
     "anywidget", "ipykernel.kernelapp", "matplotlib.pyplot", "nbformat", "numba", "pandas",
-    "plotly.graph_objects", "scipy.stats", "torch._dynamo",
+    "plotly.graph_objects", "pyvista", "scipy.stats", "torch._dynamo",
 ])
 
 

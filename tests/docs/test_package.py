@@ -210,7 +210,7 @@ def test_a_datasets_name_means_the_dataset_where_a_folder_has_that_name(tmp_path
 def test_the_demo_works_on_a_small_budget(tmp_path, monkeypatch):
     from toolkit.cli import demo
 
-    monkeypatch.setattr(demo, "SPEED", 6.0)  # the figure of eight in few frames
+    monkeypatch.setattr(demo, "SPEED", 12.0)  # the figure of eight in few frames
     monkeypatch.setattr(demo, "GAITS", ["FW", "BW"])
     assert "toolkitScene" in demo.embedded(tmp_path / "demo").read_text(encoding="utf-8")
     files = demo.make(tmp_path / "demo", seconds=0.5, data_seconds=5.0)
