@@ -22,7 +22,7 @@ for name, value in {
 if sys.platform == "linux":
     import forked_kernel
 
-    local_provisioner.launch_kernel = forked_kernel.Process
+    local_provisioner.launch_kernel = forked_kernel.launch
 
 FENCED = r"<summary>Solution</summary>\s*```python\n(.*?)\n```\s*</details>"
 SOLUTION = re.compile(FENCED, re.DOTALL)

@@ -5,11 +5,19 @@ import os
 import signal
 import sys
 
+from jupyter_client.launcher import launch_kernel
+
 FORKS = multiprocessing.get_context("forkserver")
 FORKS.set_forkserver_preload([
     "anywidget", "ipykernel.kernelapp", "matplotlib.pyplot", "nbformat", "numba", "pandas",
     "plotly.graph_objects", "pyvista", "scipy.stats", "torch._dynamo",
 ])
+
+
+def launch(command: list[str], **settings):
+    """As `launch_kernel`, which starts kernels of other environments and languages."""
+    own = command[:3] == [sys.executable, "-m", "ipykernel_launcher"]
+    return (Process if own else launch_kernel)(command, **settings)
 
 
 class Process:

@@ -226,9 +226,14 @@ def leg_joints(layout: Layout) -> list[int]:
 def planted(model, state: CharacterState, new: CharacterState) -> CharacterState:
     """The frame ``new``, which follows ``state``, after foot lock and foot IK."""
     layout, ground = model.layout, getattr(model, "ground", GROUND)
-    legs, worlds = leg_joints(layout), [world_joints(layout, s) for s in (state, new)]
-    before, toes = (world["position"][:, legs[2::3]] for world in worlds)
-    feet = [_rotations(world)[:, legs[1::3]] for world in worlds]
+    # Both poses in the world, at once.
+    joints, roots = (torch.cat(pair) for pair in ((state.joints, new.joints),
+                                                  (state.root, new.root)))
+    world = split_joints(seen_from(joints, *roots.split(2, -1)))
+    rotations, legs, count = _rotations(world), leg_joints(layout), len(new.joints)
+    before, toes = world["position"][:, legs[2::3]].split(count)
+    feet = rotations[:, legs[1::3]].split(count)
+
     swivel = hold_feet(state.swivel, *feet, new.contacts, 1 / FPS)
     soles = layout.skeleton.offsets[[layout.skeleton.role(f"{side}_toe") for side in FEET]].to(toes)
     raised = (R.rotate(feet[1], soles) - soles)[..., 1]
@@ -237,7 +242,8 @@ def planted(model, state: CharacterState, new: CharacterState) -> CharacterState
         state.toes, state.drift, before, toes, state.contacts, new.contacts, left, ground, raised,
         1 / FPS
     )
-    return _with_legs(layout, dataclasses.replace(new, toes=toes, drift=drift, swivel=swivel))
+    new = dataclasses.replace(new, toes=toes, drift=drift, swivel=swivel)
+    return _with_legs(layout, new, rotations[count:], world["position"][count:, 0])
 
 
 @functools.singledispatch
@@ -281,16 +287,17 @@ def _rotations(world: dict[str, Tensor]) -> Tensor:
     return R.from_forward_up(world["forward"], world["up"])
 
 
-def _with_legs(layout: Layout, state: CharacterState) -> CharacterState:
+def _with_legs(layout: Layout, state: CharacterState, rotations: Tensor,
+               hips: Tensor) -> CharacterState:
     """A state with the pose after foot IK, from which the next frame is predicted.
 
-    The ``drop`` of the argument is that of the frame before.
+    The joints' ``rotations`` and the place of the ``hips`` are those of its pose in the world. The
+    ``drop`` of the argument is that of the frame before.
     """
-    skeleton, world = layout.skeleton, world_joints(layout, state)
     legs, drop, toes = solve_legs(
-        skeleton,
-        _rotations(world)[:, skeleton.feature_of],
-        world["position"][:, 0],
+        layout.skeleton,
+        rotations[:, layout.skeleton.feature_of],
+        hips,
         state.toes,
         state.contacts,
         state.drop,
