@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Annotated
 
 import numpy as np
+import pandas as pd
 import torch
 import typer
 
@@ -17,58 +18,33 @@ from toolkit.motion import Clip, contacts, root_frames
 RATE = 30.0  # Hz, of the slowest recording; all motion is resampled to it
 SHORTEST = 2.0  # seconds, least length of a straight part
 STRAIGHT = 0.35  # rad/s, highest turning rate of a straight part
-MEASURES = {
-    "speed (m/s)": 2,
-    "cadence (steps/min)": 0,
-    "step length (m)": 2,
-    "stance ratio of a toe": 2,
-    "hips bob per stride (mm)": 0,
-    "thigh fore and aft (deg)": 0,
-    "knee flexion, least (deg)": 0,
-    "knee flexion, range (deg)": 0,
-    "ankle, range (deg)": 0,
-    "upper arm fore and aft (deg)": 0,
-}  # name: decimals
+MEASURES = (
+    "speed (m/s)", "cadence (steps/min)", "step length (m)", "stance ratio of a toe",
+    "hips bob per stride (mm)", "thigh fore and aft (deg)", "knee flexion, least (deg)",
+    "knee flexion, range (deg)", "ankle, range (deg)", "upper arm fore and aft (deg)",
+)
 
 
 def run(
-    data: Annotated[Path
-                    | None, typer.Option(help="Folder that holds 100style/ and bandai/.")] = None,
+    data: Annotated[Path, typer.Option(help="Folder that holds 100style/ and bandai/.")]
 ) -> None:
     """Measures of a procedural walk, compared with recorded neutral walks of 100STYLE and
     Bandai-Namco.
     """
-    real: dict[str, list[dict[str, float]]] = {}
+    parts = []
     for title, folder, choice in (("100STYLE", "100style", {"styles": "Neutral", "gaits": "FW"}),
                                   ("Bandai", "bandai", {"styles": "normal", "gaits": "walk"})):
-        if data is None or not (data / folder).is_dir():
-            print(f"{title}: no {'--data' if data is None else data / folder}; no comparison "
-                  f"with this dataset")
-            continue
         clips = datasets.load(folder, data / folder, **choice)
-        real[title] = [measure(part) for clip in clips for part in straight_parts(clip)]
-    paces = {title: float(np.mean([row["speed (m/s)"] for row in rows]))
-             for title, rows in real.items()} or {"": 1.2}
-    made = {title: measure(_walk(pace)) for title, pace in paces.items()}
-
-    counts = {title: f"{title} ({len(rows)})" for title, rows in real.items()}
-    print(f"{'':<30}" + "".join(f"{c:>18}" for c in counts.values())
-          + "".join(f"{f'procedural, {pace:.2f} m/s':>22}" for pace in paces.values()))
-    outside = []
-    for name, decimals in MEASURES.items():
-        line = f"{name:<30}"
-        for rows in real.values():
-            low, high = (f"{pick(r[name] for r in rows):.{decimals}f}" for pick in (min, max))
-            line += f"{f'{low} - {high}':>18}"
-        every = [r[name] for rows in real.values() for r in rows]
-        for row in made.values():
-            beyond = bool(every) and not min(every) <= row[name] <= max(every)
-            outside += [name] if beyond and name not in outside else []
-            line += f"{row[name]:>20.{decimals}f}{' *' if beyond else '  '}"
-        print(line)
-    if real:
-        print(f"* outside the range of all {sum(map(len, real.values()))} recorded parts: "
-              f"{len(outside)} of {len(MEASURES)}")
+        parts += [{"takes": title} | measure(part)
+                  for clip in clips for part in straight_parts(clip)]
+    takes = pd.DataFrame(parts).groupby("takes")
+    made = {title: measure(_walk(pace)) for title, pace in takes[MEASURES[0]].mean().items()}
+    table = pd.concat({"least": takes.min().T, "most": takes.max().T,
+                       "procedural, as fast": pd.DataFrame(made)}, axis=1)
+    low, high = table["least"].min(axis=1), table["most"].max(axis=1)
+    outside = table.index[pd.DataFrame(made).apply(lambda c: ~c.between(low, high)).any(axis=1)]
+    print(table.round(2).to_string())
+    print(f"outside the range of all {len(parts)} recorded parts: {', '.join(outside)}")
 
 
 def straight_parts(clip: Clip) -> list[Clip]:
@@ -100,9 +76,8 @@ def measure(clip: Clip) -> dict[str, float]:
     steps = 2 * (len(strides) - 1)
     seconds = (last - first) / RATE
     speed = (hips[last] - hips[first]) @ ahead / seconds
-    per_stride = list(pairwise(strides))
 
-    both: dict[str, list[np.ndarray]] = {"thigh": [], "knee": [], "ankle": [], "arm": []}
+    both = {"thigh": [], "knee": [], "ankle": [], "arm": []}
     for side in ("left", "right"):
         hip, knee, foot, toe, shoulder, elbow = (
             at[f"{side}_{part}"][first:last]
@@ -113,16 +88,16 @@ def measure(clip: Clip) -> dict[str, float]:
         both["arm"].append(_lean(elbow - shoulder, ahead))
 
     def spread(name: str) -> float:
-        return float(np.mean([np.ptp(np.percentile(curve, (1, 99))) for curve in both[name]]))
+        return np.mean([np.ptp(np.percentile(curve, (1, 99))) for curve in both[name]])
 
     values = (
         speed,
         60 * steps / seconds,
         speed * seconds / steps,
-        float(contacts.detect(clip)[first:last].mean()),
-        1000 * float(np.mean([np.ptp(hips[a:b, 1]) for a, b in per_stride])),
+        contacts.detect(clip)[first:last].mean(),
+        1000 * np.mean([np.ptp(hips[a:b, 1]) for a, b in pairwise(strides)]),
         spread("thigh"),
-        float(np.mean([np.percentile(curve, 1) for curve in both["knee"]])),
+        np.mean([np.percentile(curve, 1) for curve in both["knee"]]),
         spread("knee"),
         spread("ankle"),
         spread("arm"),
