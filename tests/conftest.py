@@ -23,13 +23,25 @@ def pytest_collection_modifyitems(items):
     """What takes longest comes first, so that no process waits for another at the end."""
     def turn(item) -> int:
         path = item.path
-        if path.parent.name == "browser":
-            return 0
         if path.suffix == ".ipynb":
+            return 0
+        if path.parent.name == "browser":
             return 1
         return 2 + (SLOW.index(path.stem) if path.stem in SLOW else len(SLOW))
 
     items.sort(key=turn)
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config, log):
+    """A process takes a whole file, and one takes all notebooks (`forked_kernel`)."""
+    from xdist.scheduler import LoadFileScheduling
+
+    class Files(LoadFileScheduling):
+        def _split_scope(self, nodeid: str) -> str:
+            return "notebooks" if ".ipynb::" in nodeid else super()._split_scope(nodeid)
+
+    return Files(config, log)
 
 
 @pytest.fixture(scope="session")

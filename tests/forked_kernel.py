@@ -10,7 +10,7 @@ from jupyter_client.launcher import launch_kernel
 FORKS = multiprocessing.get_context("forkserver")
 FORKS.set_forkserver_preload([
     "anywidget", "ipykernel.kernelapp", "matplotlib.pyplot", "nbformat", "numba", "pandas",
-    "plotly.graph_objects", "pyvista", "scipy.stats", "torch._dynamo",
+    "plotly.graph_objects", "pyvista", "scipy.stats", "sklearn.manifold", "torch._dynamo",
 ])
 
 
