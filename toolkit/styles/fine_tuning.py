@@ -225,8 +225,7 @@ def _walked(model: Predictor, bank: StyleBank) -> Tensor:
     as a clip's vectors are learnt again and again beside the same bank.
     """
     if (key := model.fingerprint(bank.vectors)) not in _POSES:
-        commands = runtime.straight(*WALK)
-        states = list(runtime.states(runtime.quick(model, len(commands)), commands, bank.vectors))
+        states = list(runtime.states(model, runtime.straight(*WALK), bank.vectors))
         _POSES.clear()
         _POSES[key] = torch.cat([state.joints for state in states[::10]])
     return _POSES[key]
