@@ -216,7 +216,7 @@ class Predictor(nn.Module):
                          **factors}
 
     def fingerprint(self, *vectors: Tensor) -> bytes:
-        """A hash of all numbers on which walks in these style vectors depend."""
+        """A hash of all numbers on which walks in style vectors ``[..., D]`` depend."""
         numbers = *self.state_dict().values(), *vectors
         factors = [getattr(self, name) for name in FACTORS]
         known = hashlib.sha256(json.dumps([repr(self), self.layout.to_json(), factors]).encode())

@@ -229,7 +229,7 @@ def planted(model, state: CharacterState, new: CharacterState) -> CharacterState
     # Both poses in the world, at once.
     joints, roots = (torch.cat(pair) for pair in ((state.joints, new.joints),
                                                   (state.root, new.root)))
-    world = split_joints(seen_from(joints, *roots.split(2, -1)))
+    world = _in_world(joints, roots)
     rotations, legs, count = _rotations(world), leg_joints(layout), len(new.joints)
     before, toes = world["position"][:, legs[2::3]].split(count)
     feet = rotations[:, legs[1::3]].split(count)
@@ -279,7 +279,11 @@ def pose(
 
 def world_joints(layout: Layout, state: CharacterState) -> dict[str, Tensor]:
     """The pose's position, forward, up and velocity in the world, each ``[B, J, 3]``."""
-    return split_joints(seen_from(state.joints, *state.root.split(2, -1)))
+    return _in_world(state.joints, state.root)
+
+
+def _in_world(joints: Tensor, root: Tensor) -> dict[str, Tensor]:
+    return split_joints(seen_from(joints, *root.split(2, -1)))
 
 
 def _rotations(world: dict[str, Tensor]) -> Tensor:
