@@ -1,4 +1,4 @@
-"""Kernels of the notebooks' tests, forked from one process that has loaded the large packages."""
+"""Kernels of the notebooks' tests, forked from one process that is `preloaded`."""
 
 import multiprocessing
 import os
@@ -8,10 +8,7 @@ import sys
 from jupyter_client.launcher import launch_kernel
 
 FORKS = multiprocessing.get_context("forkserver")
-FORKS.set_forkserver_preload([
-    "anywidget", "ipykernel.kernelapp", "matplotlib.pyplot", "nbformat", "numba", "pandas",
-    "plotly.graph_objects", "pyvista", "scipy.stats", "sklearn.manifold", "torch._dynamo",
-])
+FORKS.set_forkserver_preload(["tests.preloaded"])
 
 
 def launch(command: list[str], **settings):
