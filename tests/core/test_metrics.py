@@ -3,6 +3,7 @@
 import dataclasses
 import json
 import math
+import sys
 from types import SimpleNamespace
 
 import damages
@@ -244,7 +245,7 @@ def test_a_report_has_a_row_of_the_real_data_and_says_what_is_missing(walks):
         tk.evaluation.report(clip, real=[])
 
 
-def test_the_verb_measures_anybodys_files(tmp_path, command, walks):
+def test_the_verb_measures_anybodys_files(tmp_path, command, walks, monkeypatch):
     made, real = (tmp_path / name for name in ("made", "real"))
     for folder, clip in zip((made, real), walks, strict=True):
         folder.mkdir()
@@ -260,6 +261,10 @@ def test_the_verb_measures_anybodys_files(tmp_path, command, walks):
     assert truth["geodesic"] == pytest.approx(0.0, abs=1e-6)
     command(f"evaluate {made} {real} --out {tmp_path}/table.csv")
     assert (tmp_path / "table.csv").read_text().startswith(",made,made,made,real")
+    monkeypatch.setitem(sys.modules, "pandas", None)  # as if it were not installed
+    for words in (f"evaluate {tmp_path}/none", f"benchmark table {out}"):
+        said = command(f"{words} --out {tmp_path}/new.tex", status=2).err
+        assert said == "error: tables as CSV or LaTeX need pandas: pip install pandas\n"
 
 
 def test_planted_feet_do_not_skate_and_a_carried_clip_does(walk_clip):

@@ -36,7 +36,7 @@ def evaluate(
     Files that cannot be read or measured are named, and left out.
     """
     if out is not None:
-        saving.check(out, (".json", ".csv", ".tex"))
+        check_table(out, ".json")
     judge = None if recogniser is None else Recogniser.load(recogniser)
     named = {} if real is None else _clips(real, True, judge, unit, up, roles)
     methods = {}
@@ -59,6 +59,13 @@ def evaluate(
         write_whole(out, text.encode())
     else:
         write_table(table, out)
+
+
+def check_table(out: Path, *others: str) -> None:
+    """Refuse a file for a table that cannot be written, before minutes of work."""
+    saving.check(out, (*others, ".csv", ".tex"))
+    if out.suffix not in others:
+        evaluation.table.pandas()
 
 
 def write_table(table: evaluation.table.Report, out: Path) -> None:

@@ -5,6 +5,7 @@ import math
 from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -132,15 +133,27 @@ class Report:
 
         A row for each measure; for each method a column of values, ``low`` and ``high``.
         """
-        import pandas as pd  # imported on demand: an extra
-
-        table = {}
+        pd, table = pandas(), {}
         for row in self.rows:
             method = row["data"]
             ends = [self.intervals[method][name] for name in self.columns]
             table[method, "value"] = [row[name] for name in self.columns]
             table[method, "low"], table[method, "high"] = zip(*ends, strict=True)
         return pd.DataFrame(table, index=pd.Index(self.columns, name="measure"))
+
+
+def pandas() -> Any:
+    """The package, which no other part of the toolkit needs.
+
+    Raises
+    ------
+    ImportError
+        If it is not installed.
+    """
+    try:
+        return import_module("pandas")
+    except ImportError:
+        raise ImportError("tables as CSV or LaTeX need pandas: pip install pandas") from None
 
 
 def report(clips: Motion | Mapping[str, Motion], real: Motion | None = None,

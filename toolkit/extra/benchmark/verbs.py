@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from toolkit.cli import motion_files
-from toolkit.cli.evaluate import write_table
+from toolkit.cli.evaluate import check_table, write_table
 from toolkit.cli.verbs import Published, Roles, Unit, Up, say
 from toolkit.datasets import folder as own
 from toolkit.extra import benchmark
@@ -73,7 +73,7 @@ def table(
     out: Annotated[Path, typer.Option(help="File for the table: .tex or .csv.")],
 ) -> None:
     """Write one table of several methods, which the stems of the files name."""
-    saving.check(out, (".tex", ".csv"))
+    check_table(out)
     scored = [dataclasses.replace(benchmark.Scores.load(file), name=file.stem) for file in files]
     write_table(benchmark.table(scored), out)
 
