@@ -278,15 +278,17 @@ def test_check_names_what_is_to_blame():
     """A style that walks on in a pause; the pause and not the turn before it; the style."""
     _, bank = tk.pretrained()
     pause = Shot([(0, 0), (0, 4)], "Neutral", [(0, 1.0)], [{"distance": 2, "seconds": 2}])
-    plan = pause.plan(bank)
-    places = [(0.0, at) for at in plan[0].distance[1:]]
-    assert pause.unmet(bank, plan, places) == []
+    in_time = Shot([(0, 0), (0, 4, 4.0)], "Neutral", duration=4.0)
+    for shot in (in_time, pause):
+        plan = shot.plan(bank)
+        places = [(0.0, at) for at in plan[0].distance[1:]]
+        assert shot.unmet(bank, plan, places) == []
     on = [(0.0, z + 0.45 * (z == 2.0)) for _, z in places]
     assert "is ahead of the plan: Neutral does not stand" in pause.unmet(bank, plan, on)[-1]
 
     bent = Shot([(0, 0), (0, 2), (1.5, 2.3), (3, 2)], "Neutral", [(0, 1.0)])
     held = replace(bent, holds=[{"distance": 2.3, "seconds": 2}])
-    straight = Shot([(0, 0), (0, 4)], [(0, "Neutral"), (4, "Old")], [(0, 1.0)])
+    straight = Shot([(0, 0), (0, 4)], [(0, "Neutral"), (4, "Old"), (8, "Zombie")], [(0, 1.0)])
     for shot, blamed in ((bent, "the turn after"),
                          (held, "does not stand still in the pause after 2.3 m"),
                          (straight, "Old does not keep to it")):
@@ -407,6 +409,14 @@ def test_a_head_turns_to_a_limit_and_not_to_what_is_behind_it():
     turned = reaching._looked(torch.tensor([0.0, 0.0, 1.0]).expand(5, 3), way)[:, 1]
     # by hand: at half of BEHIND before the back, half of LOOK; then smoothly to nothing
     assert turned.tolist() == pytest.approx([0.5, 1.156, 1.2, 0.6, 0.068], abs=2e-3)
+
+
+def test_pins_of_one_place_are_reached_from_two(fast):
+    pins_ = [{"at": at, "right_hand": (-0.2, 1.2, 3.0)} for at in (3.0, 5.0)]
+    course, _ = Shot([(0, 0), (0, 6)], "Neutral", pins=pins_).plan(fast[1])
+    (_, first, _), (_, second, _) = course.arrivals
+    assert first == pytest.approx(3.0 - pins.AHEAD)
+    assert second - first == pytest.approx(pins.LEAST)
 
 
 def test_pins_of_all_kinds_move_a_walk_by_known_distances(walk_clip):
