@@ -8,6 +8,7 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Annotated
 
+import pandas as pd
 import torch
 import typer
 from torch import Tensor
@@ -35,21 +36,21 @@ STORED = "closed-loop"
 
 #: Measures: title with unit, decimals, the largest value that is asked for.
 MEASURES = {
-    "direction": ("direction, degrees", 1, 2.0),
-    "speed": ("speed / command", 2, None),
-    "toes": ("toes in contact, cm/s", 2, 5.0),
-    "raw": ("the same before IK, on the floor", 1, 4.0),
-    "slow": ("slow motion of the upper body, cm", 2, None),
-    "steps": ("steps/s", 2, None),
-    "clearance": ("clearance of toes, cm", 1, None),
-    "still": ("speed after 1 s, m/s", 3, 0.05),
-    "way": ("way in the 7 s after it, cm", 1, None),
-    "air": ("time with a foot in the air, %", 0, None),
-    "began": ("seconds to 0.8 m/s", 2, None),
-    "knee": ("knee, 1000 degrees/s²", 1, 15.0),
-    "wrist": ("wrist, 1000 m/s³", 2, 1.7),
-    "ankle": ("ankle over a toe in contact, cm/s", 0, None),
-    "found": ("seconds with a finding, mean, %", 1, None),
+    "direction": ("direction, degrees", 2.0),
+    "speed": ("speed / command", None),
+    "toes": ("toes in contact, cm/s", 5.0),
+    "raw": ("the same before IK, on the floor", 4.0),
+    "slow": ("slow motion of the upper body, cm", None),
+    "steps": ("steps/s", None),
+    "clearance": ("clearance of toes, cm", None),
+    "still": ("speed after 1 s, m/s", 0.05),
+    "way": ("way in the 7 s after it, cm", None),
+    "air": ("time with a foot in the air, %", None),
+    "began": ("seconds to 0.8 m/s", None),
+    "knee": ("knee, 1000 degrees/s²", 15.0),
+    "wrist": ("wrist, 1000 m/s³", 1.7),
+    "ankle": ("ankle over a toe in contact, cm/s", None),
+    "found": ("seconds with a finding, mean, %", None),
 }  # fmt: skip
 WALK = "direction", "speed", "toes", "raw", "slow", "steps", "clearance", "found"
 FAST = "direction", "speed", "toes", "found"
@@ -118,10 +119,7 @@ def run(
                                                              [row[key] for row in rows])
         if store:
             _store(kind, found)
-    print(f"\n{'summary':<56}{'median':>9}{'worst':>9}")
-    for what, row in found.items():
-        print(f"{what:<56}{row['median']:9.2f}{row['worst']:9.2f} {row['which']}, "
-              f"{row['kept']} of {len(bank)}")
+    print(f"\nsummary, {len(bank)} styles\n{pd.DataFrame(found).T.to_string()}")
 
 
 def measured(net, bank: StyleBank, track: str, seed: int = 0) -> list[dict[str, float]]:
@@ -231,17 +229,15 @@ def slow_motion(clip: Clip) -> float:
 
 def _print(rows: dict[str, dict[str, float]]) -> None:
     """Rows under titles of measures."""
-    print(f"{'':<24}" + "".join(f"{MEASURES[key][0]:>34}" for key in next(iter(rows.values()))))
-    for what, row in rows.items():
-        cells = (f"{value:>34.{MEASURES[key][1]}f}" for key, value in row.items())
-        print(f"{what:<24}" + "".join(cells))
+    titles = {key: title for key, (title, _) in MEASURES.items()}
+    print(pd.DataFrame(rows).T.rename(columns=titles).round(3).to_string())
 
 
 def _summary(key: str, names: Sequence[str], values: list[float]) -> dict[str, float | str]:
     """Median or mean, worst and its style, how many keep the aim."""
     held = torch.tensor(values).nan_to_num(math.inf)
     off = (held - 1).abs() if key == "speed" else -held if key in ("slow", "clearance") else held
-    worst, most = int(off.argmax()), MEASURES[key][2]
+    worst, most = int(off.argmax()), MEASURES[key][1]
     middle = held.mean() if key == "found" else held.median()
     return {"median": float(middle), "worst": float(held[worst]), "which": names[worst],
             "kept": len(names) if most is None else int((held <= most).sum())}
@@ -255,7 +251,7 @@ def _store(kind: str, found: dict[str, dict[str, float | str]]) -> None:
         columns |= {f"{name}_median": [name, 2], f"{name}_worst": ["worst", 2],
                     f"{name}_which": ["of"], f"{name}_kept": ["kept by", 0]}
     known = {row["what"]: row for row in Result.load(STORED).rows}
-    asked = {f"{track}: {MEASURES[key][0]}": MEASURES[key][2]
+    asked = {f"{track}: {MEASURES[key][0]}": MEASURES[key][1]
              for track, keys in TRACKS.items() for key in keys}
     rows = []
     for what, most in asked.items():

@@ -1,9 +1,8 @@
 """Motion files of programs that know nothing of the toolkit: what is understood, compared with a
 key made by hand.
 
-The key says for each file what a person who looks at its hierarchy and its poses would answer. Its
-files are not part of the
-repository; those that a folder lacks are left out.
+The key says for each file what a person who looks at its hierarchy and its poses would answer. The
+files are not part of the repository; those that a folder lacks are left out.
 """
 
 import math
@@ -13,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
+import pandas as pd
 import torch
 import typer
 
@@ -74,13 +74,12 @@ KEY = {
     "fairmotion__sinusoidal.bvh": Answer(verdict="warned"),
     "genoview__Geno_stance.bvh": Answer("Hips", MIXAMO, unit=CM),
     "makehuman__tpose.bvh": Answer(
-        "root", "upperarm01.{} lowerarm01.{} wrist.{} upperleg01.{} lowerleg01.{} foot.{} "
-    "toe1-1.{}",
-                                   ("L", "R"), 0.1, "z", "warned"),
+        "root",
+        "upperarm01.{} lowerarm01.{} wrist.{} upperleg01.{} lowerleg01.{} foot.{} toe1-1.{}",
+        ("L", "R"), 0.1, "z", "warned"),
     "makehuman__walk1.bvh": Answer(
-        "Hips", "UpArm_{} LoArm_{} Hand_{} UpLeg_{} LoLeg_{} Foot_{} Toe_{}", ("L", "R"),
-    0.1, "z",
-                                   "warned"),
+        "Hips", "UpArm_{} LoArm_{} Hand_{} UpLeg_{} LoLeg_{} Foot_{} Toe_{}",
+        ("L", "R"), 0.1, "z", "warned"),
     "momask-codes__template.bvh": Answer("Hips", MIXAMO.replace("ToeBase", "Toe"), unit=1.0,
                                          verdict="warned"),
     "most__rest_cmu.bvh": Answer("Hips", MIXAMO, unit=CMU, verdict="warned"),
@@ -141,9 +140,7 @@ def judge(path: Path, answer: Answer) -> Row:
                "; ".join(found.doubts))
 
 
-def _of_people(
-    clip: tk.Clip, found: "tk.extra.formats.inspection.Inspection", answer: Answer
-) -> list[str]:
+def _of_people(clip: tk.Clip, found, answer: Answer) -> list[str]:
     """What is wrong about a person's clip."""
     points, skeleton = clip.global_positions, clip.skeleton
     tree = Tree(skeleton.parents, skeleton.offsets.norm(dim=-1).tolist())
@@ -159,8 +156,8 @@ def _of_people(
         "mirrored twice is another motion":
             float((mirrored.mirrored().global_positions - points).norm(dim=-1).max())
             > 1e-3 * found.height,
-        "its mirror image faces backwards": facing(mirrored) < 0.5 if answer.forwards else False,
-        "walks backwards": facing(clip) < 0.5 if answer.forwards else False,
+        "its mirror image faces backwards": answer.forwards and facing(mirrored) < 0.5,
+        "walks backwards": answer.forwards and facing(clip) < 0.5,
     }
     return [what for what, so in wrong.items() if so]
 
@@ -177,10 +174,19 @@ def facing(clip: tk.Clip) -> float:
     return float(torch.nn.functional.cosine_similarity(forward, travel, dim=1)[goes].mean())
 
 
+def line(row: Row) -> dict:
+    """What is printed of a file."""
+    found, sizes = row.found, ("height", "unit", "up", "fps")
+    numbers = {} if found is None else {
+        **{name: getattr(found, name) for name in sizes},
+        "contact": sum(found.contact.values()) / 2 if found.contact else math.nan}
+    return {"file": row.name, "verdict": row.verdict, **numbers,
+            "WRONG": "; ".join(row.wrong), "said": row.said}
+
+
 def run(
-    folder: Annotated[Path
-                      | None, typer.Option(help="Folder of the files; default: foreign/ of the "
-                                                "shared data.")] = None,
+    folder: Annotated[Path | None, typer.Option(
+        help="Folder of the files; default: foreign/ of the shared data.")] = None,
     store: Store = False,
 ) -> None:
     """Motion files of other programs: right, refused in a line or warned in a line, compared with a
@@ -191,18 +197,7 @@ def run(
             if (folder / name).exists()]
     if not rows:
         raise ValueError(f"{folder}: none of the files of the key is there")
-    print(f"{'file':<46}{'verdict':<9}{'m':>5}{'unit':>9}{'up':>4}{'Hz':>7}{'contact':>9}  said")
-    for row in rows:
-        numbers = ""
-        if row.found is not None:
-            share = sum(row.found.contact.values()) / 2 if row.found.contact else math.nan
-            numbers = (
-                f"{row.found.height:>5.2f}{row.found.unit:>9.4g}{row.found.up:>4}"
-                f"{row.found.fps:>7.4g}{share:>9.2f}"
-            )
-        print(f"{row.name[:45]:<46}{row.verdict:<9}{numbers:<34}  {row.said}")
-        for what in row.wrong:
-            print(f"{'':<46}WRONG: {what}")
+    print(pd.DataFrame(map(line, rows)).to_string(index=False, float_format="{:.4g}".format))
     other = [row.name for row in rows if row.verdict != KEY[row.name].verdict]
     counts = {verdict: sum(row.verdict == verdict for row in rows)
               for verdict in ("right", "warned", "refused")}

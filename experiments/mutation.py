@@ -53,6 +53,10 @@ EQUIVALENT = {
         "nothing reads its style clips",
     ("beside = torch.where(square > 0, square, 1.0).sqrt() * (square > 0)  # finite gradient at 0",
      "1.0 -> 2.0"): "it is multiplied by 0",
+    ("found, waiting = {start: 0.0}, [start]", "0.0 -> 1.0"): "all distances grow by as much",
+    ("given = values.get(name, TRACKS.get(name, (0.0,) * 3))", "3 -> 4"): "three are read",
+    ('metres = 1.0 if unit == "auto" else float(UNITS.get(unit, unit))', "1.0 -> 2.0"):
+        "it is guessed later",
     ("own=np.array([joints.index(j) if j in joints else -1 for j in range(len(skeleton))]),",
      "1 -> 2"): "it is read only for joints that have one",
     ("speed: float = 1.2, seconds: float = 10.0, facing: Sequence[float] = (0.0, 1.0)",
@@ -80,7 +84,7 @@ def places(node: ast.AST) -> list[ast.AST]:
     elif isinstance(node, ast.Constant) and isinstance(node.value, int | float):
         found += [node] * (node.value == 0 or abs(node.value) >= SMALLEST)
     elif isinstance(node, ast.Call):
-        unsigned = ast.unparse(node.func).endswith(("abs", "norm", "cos"))
+        unsigned = ast.unparse(node.func).endswith(("abs", "norm", "cos", "hypot"))
         found += [node] * any(isinstance(a, ast.BinOp) and not unsigned for a in node.args)
     for name, value in ast.iter_fields(node):
         for child in value if isinstance(value, list) else [value]:

@@ -6,6 +6,7 @@ import math
 from pathlib import Path
 from typing import Annotated
 
+import pandas as pd
 import typer
 
 from experiments.seven_models import failures, hundred, load, models, recorded, results, vectors
@@ -80,12 +81,10 @@ def table2() -> None:
     printed Table 2.
     """
     rows = networks.table2()
-    print(f"{'':<14}{'A.S.N.':>12}{'S.M.N.':>12}{'P.S.R.':>10}   "
-          f"printed:{'A.S.N.':>12}{'S.M.N.':>12}{'P.S.R.':>10}")
-    for row in rows:
-        counted, printed = (f"{n[0]:>12,}{n[1]:>12,}{n[2]:>10,}" for n in
-                            ((row.synthesis, row.style, row.per_style), row.printed))
-        print(f"{row.name:<14}{counted}{'':<11}{printed}")
+    columns = ["A.S.N.", "S.M.N.", "P.S.R."]
+    columns += [f"printed {name}" for name in columns]
+    table = {row.name: [row.synthesis, row.style, row.per_style, *row.printed] for row in rows}
+    print(pd.DataFrame(table, columns).T.map("{:,}".format).to_string())
     for note, counted in {row.note: row.style_as_printed for row in rows if row.note}.items():
         names = ", ".join(row.name for row in rows if row.note == note)
         print(f"S.M.N. of {names}: {note}; counted so, {counted:,}")
