@@ -215,7 +215,7 @@ def test_bad_model_files_are_one_line(tmp_path):
     save_file(tensors, path, good | {"model": json.dumps(model.parts()[1] | {"name": "os.system"})})
     fails("it holds a model 'os.system', which is not registered")
     save_file(tensors, path, {"format": "toolkit 1", "bank": "[]"})
-    fails("expected a model in it, got bank")
+    fails("expected 'model' in it, got bank")
     path.write_bytes(b"\x80\x04cos\nsystem\n(S'touch owned'\ntR.")  # a pickle
     fails("not a whole safetensors file")
 

@@ -72,5 +72,5 @@ def test_round_trip(recogniser, tmp_path):
     assert again.styles == recogniser.styles
     assert torch.equal(again.probabilities(y), recogniser.probabilities(y))
     tk.styles.StyleBank(("a",), torch.zeros(1, 3)).save(path)
-    with refusal("expected a recogniser in it, got bank"):
+    with refusal("expected 'recogniser' in it, got bank"):
         recognition.Recogniser.load(path)

@@ -37,18 +37,19 @@ def evaluate(
     """
     if out is not None:
         check_table(out, ".json")
+    names = method_names([folder.name for folder in folders])
     judge = None if recogniser is None else Recogniser.load(recogniser)
     named = {} if real is None else _clips(real, True, judge, unit, up, roles)
     methods = {}
-    for folder in folders:
+    for name, folder in zip(names, folders, strict=True):
         clips = _clips(folder, real is not None, judge, unit, up, roles)
         if clips.keys() == named.keys():
-            clips = {name: clips[name] for name in named}
+            clips = {clip: clips[clip] for clip in named}
         elif len(clips) == len(named) > 1:
             other = min(clips.keys() ^ named.keys())
             raise ValueError(f"{folder} and {real}: as many files, but other names ({other}); name "
                              "pairs alike, or leave one file out")
-        methods[folder.name if len(folders) > 1 else "clips"] = list(clips.values())
+        methods[name if len(folders) > 1 else "clips"] = list(clips.values())
     table = evaluation.report(methods, list(named.values()) or None, judge)
     say(table)
     if out is None:
@@ -59,6 +60,13 @@ def evaluate(
         write_whole(out, text.encode())
     else:
         write_table(table, out)
+
+
+def method_names(names: list[str]) -> list[str]:
+    """The names, if none of them is there twice."""
+    if twice := next((name for name in names if names.count(name) > 1), None):
+        raise ValueError(f"two methods have the name {twice}; rename one's file or folder")
+    return names
 
 
 def check_table(out: Path, *others: str) -> None:

@@ -143,13 +143,7 @@ class Report:
 
 
 def pandas() -> Any:
-    """The package, which no other part of the toolkit needs.
-
-    Raises
-    ------
-    ImportError
-        If it is not installed.
-    """
+    """The package, or an ImportError that says how to install it."""
     try:
         return import_module("pandas")
     except ImportError:

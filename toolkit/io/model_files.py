@@ -66,7 +66,7 @@ def read(path: str | os.PathLike, part: str) -> tuple[dict[str, Tensor], dict[st
         parts = {name: parsed(text) for name, text in metadata.items()}
     if part not in parts:
         there = ", ".join(sorted(parts)) or "nothing"
-        raise ValueError(f"{path}: expected a {part} in it, got {there}")
+        raise ValueError(f"{path}: expected {part!r} in it, got {there}")
     with intact(path, "the file"):
         sound(tensors)
     return tensors, parts

@@ -52,19 +52,21 @@ class Scores:
     @classmethod
     def load(cls, path: str | os.PathLike) -> "Scores":
         """Read what `save` wrote; ValueError for any other file."""
-        with intact(path, "scores of StyleWalk"):
+        with intact(path, "the score of StyleWalk"):
             stored = json.loads(Path(path).read_text(encoding="utf-8"))
-            rows = {row: tuple(math.nan if value is None else float(value) for value in values)
-                    for row, values in stored["rows"].items()}
-            return cls(str(stored["name"]), rows, dict(stored["about"]))
+            rows = {row: tuple(math.nan if x is None else float(x) for x in (value, low, high))
+                    for row, (value, low, high) in stored["rows"].items()}
+            about = stored["about"] | {"clips": int(stored["about"]["clips"])}
+            return cls(str(stored["name"]), rows, about)
 
 
 def table(scored: Sequence[Scores]) -> Report:
-    """One table of several methods; ValueError unless plan and judges were the same for all."""
+    """One table of several methods; ValueError unless all have the same plan, judges and rows."""
     first = scored[0]
-    for what in ("plan sha256", "judges sha256"):
+    for what in ("plan sha256", "judges sha256", "rows"):
         for other in scored[1:]:
-            if other.about.get(what) != first.about.get(what):
+            one, two = ([*s.rows] if what == "rows" else s.about.get(what) for s in (first, other))
+            if one != two:
                 raise ValueError(f"{first.name} and {other.name} cannot be compared: their "
                                  f"{what} differ")
     rows = [{"data": one.name, "n": one.about["clips"]}

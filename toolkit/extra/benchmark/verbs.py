@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from toolkit.cli import motion_files
-from toolkit.cli.evaluate import check_table, write_table
+from toolkit.cli.evaluate import check_table, method_names, write_table
 from toolkit.cli.verbs import Published, Roles, Unit, Up, say
 from toolkit.datasets import folder as own
 from toolkit.extra import benchmark
@@ -74,7 +74,9 @@ def table(
 ) -> None:
     """Write one table of several methods, which the stems of the files name."""
     check_table(out)
-    scored = [dataclasses.replace(benchmark.Scores.load(file), name=file.stem) for file in files]
+    names = method_names([file.stem for file in files])
+    scored = [dataclasses.replace(benchmark.Scores.load(file), name=name)
+              for name, file in zip(names, files, strict=True)]
     write_table(benchmark.table(scored), out)
 
 
