@@ -431,7 +431,7 @@ def test_what_cannot_be_resumed_is_named(tmp_path):
     ):
         with refusal(f"run.checkpoint: {why}"):
             training.fit(other, config, path)
-    with refusal(r"expected a run in it, got checkpoint, model"):
+    with refusal(r"expected 'run' in it, got checkpoint, model"):
         training.load(path)
     training.fit(waves(joints=5), QUICK, path, resume=False)
 
