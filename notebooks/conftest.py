@@ -8,6 +8,7 @@ import re
 import sys
 
 import nbformat
+import nbval.kernel
 from jupyter_client.provisioning import local_provisioner
 
 for name, value in {
@@ -18,6 +19,9 @@ for name, value in {
     "TOOLKIT_FAST": "1",
 }.items():
     os.environ.setdefault(name, value)
+
+#: nbval formats each message for a log that nobody reads, and some have megabytes of pictures.
+nbval.kernel.pformat = len
 
 if sys.platform == "linux":
     import forked_kernel
