@@ -106,6 +106,22 @@ def test_a_floor_of_stairs_is_level_and_goes_through_the_lowest_step():
     assert contacts.floor_height(clip).tolist() == pytest.approx([0.0] * 720, abs=1e-6)
 
 
+def test_the_floor_is_the_twentieth_lowest_of_a_hundred_above_its_slope():
+    """Heights of 0 to 99 mm over a slope; the lowest of each part rises by another millimetre."""
+    up = torch.arange(100).view(20, 5).T.flatten() / 1000
+    found = contacts.floor_line(up + torch.arange(100) / 1000, 20, 0.02)
+    slope = torch.arange(100) * float(found[1] - found[0])
+    assert float(found[1] - found[0]) == pytest.approx(0.001 + 0.001 / 20, abs=1e-6)
+    above = up + torch.arange(100) / 1000 - slope
+    assert float(found[0]) == pytest.approx(float(above.quantile(0.05)), abs=1e-6)
+
+
+def test_two_frames_have_a_velocity_and_one_has_none():
+    places = torch.tensor([[1.0, 2.0], [1.5, 2.0]])
+    assert contacts.velocities(places, 60.0).tolist() == [[30.0, 0.0]] * 2
+    assert contacts.velocities(places[:1], 60.0).tolist() == [[0.0, 0.0]]
+
+
 def test_real_walks_stand_for_as_long_as_people_do(shared):
     """Of a step, a toe is at rest for 0.3 to 0.5 of the frames, whatever the rig."""
     for name in (

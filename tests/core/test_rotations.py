@@ -133,6 +133,11 @@ def test_between_opposite_directions():
     assert_close(R.rotate(R.between(v, v), v), v)
 
 
+def test_the_least_axis_is_that_of_the_smallest_component():
+    v = torch.tensor([[3.0, -0.1, 2.0], [0.2, 1.0, -5.0]])
+    assert R.least_axis(v).tolist() == [[0, 1, 0], [1, 0, 0]]
+
+
 def test_yaw_turns_forward_towards_left():
     forward = R.rotate(R.yaw(torch.tensor(math.pi / 2)), torch.tensor([0.0, 0, 1]))
     assert_close(forward, torch.tensor([1.0, 0, 0]), atol=1e-6, rtol=0)
