@@ -1,4 +1,4 @@
-"""What the kernels of notebooks' tests have at birth: large packages, the compiled runtime."""
+"""What the kernels of notebooks' tests have at birth: large packages, the runtime."""
 
 # ruff: noqa: F401
 
@@ -19,6 +19,6 @@ from toolkit.view.render.opengl import opengl_works
 
 opengl_works()  # remembers it
 model, bank = tk.pretrained()
-fast = tk.runtime.compile(model)
+fast = tk.runtime.quick(model, 300)  # compiled, if the disk has it
 state = tk.runtime.start(fast, bank.vectors[0])
 tk.runtime.pose(fast, tk.runtime.step(fast, state, tk.runtime.Command()))
