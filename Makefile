@@ -19,7 +19,7 @@ OPENGL := libegl1 libgl1-mesa-dri
 # Python compiles a module once, not in each of the hundred processes that the tests start.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: env opengl chromium demo test types cases coverage lab docs wheel clean
+.PHONY: env opengl chromium demo test kernels types cases coverage lab docs wheel clean
 
 env: $(VENV)/.complete
 
@@ -56,10 +56,12 @@ demo: env
 test: env
 	$(BIN)/ruff check
 	$(BIN)/lint-imports
-	@$(MAKE) --no-print-directory --jobs 2 types cases
+	@$(MAKE) --no-print-directory --jobs 3 kernels types cases
 
-types: env  # first the runtime's kernels are compiled, once, for the tests that start later
-	$(BIN)/python -c "import toolkit as tk; tk.runtime.compile(tk.pretrained().model)"
+kernels: env  # compiled once; the processes of cases look for their tests, and wait for them
+	$(BIN)/python tests/compiled_runtime.py
+
+types: env
 	$(BIN)/mypy
 
 cases: env  # three processes for two cores: each waits now and then for a kernel, a browser or a command

@@ -4,6 +4,7 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 
+import compiled_runtime
 import pytest
 from hypothesis import settings
 
@@ -30,6 +31,12 @@ def pytest_collection_modifyitems(items):
         return 2 + (SLOW.index(path.stem) if path.stem in SLOW else len(SLOW))
 
     items.sort(key=turn)
+
+
+def pytest_collection_finish(session):
+    """Each of several processes would compile the runtime: they wait for `make kernels`."""
+    if hasattr(session.config, "workerinput"):
+        compiled_runtime.read()
 
 
 @pytest.hookimpl(optionalhook=True)

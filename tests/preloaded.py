@@ -1,4 +1,4 @@
-"""What the kernels of notebooks' tests have at birth: large packages, the runtime."""
+"""What the kernels of notebooks' tests have at birth: large packages, the compiled runtime."""
 
 # ruff: noqa: F401
 
@@ -15,10 +15,10 @@ import sklearn.manifold
 import torch._dynamo
 
 import toolkit as tk
+from tests import compiled_runtime
 from toolkit.view.render.opengl import opengl_works
 
 opengl_works()  # remembers it
-model, bank = tk.pretrained()
-fast = tk.runtime.quick(model, 300)  # compiled, if the disk has it
-state = tk.runtime.start(fast, bank.vectors[0])
+fast = compiled_runtime.read()
+state = tk.runtime.start(fast, tk.pretrained().bank.vectors[0])
 tk.runtime.pose(fast, tk.runtime.step(fast, state, tk.runtime.Command()))
