@@ -34,7 +34,7 @@ UPPER = "chest", "spine", "neck", "right_elbow", "left_elbow", "right_hand", "le
 SEEDS = (0, 1, 2)  # of the life of styles
 STORED = "closed-loop"
 
-#: Measures: title with unit, decimals, the largest value that is asked for.
+#: Measures: title with unit, the largest value that is asked for.
 MEASURES = {
     "direction": ("direction, degrees", 2.0),
     "speed": ("speed / command", None),

@@ -34,7 +34,7 @@ def pytest_collection_modifyitems(items):
 
 
 def pytest_collection_finish(session):
-    """Each of several processes would compile the runtime: they wait for `make kernels`."""
+    """One of several processes, or `make kernels`, compiles the runtime; the others wait for it."""
     if hasattr(session.config, "workerinput"):
         compiled_runtime.read()
 

@@ -263,6 +263,8 @@ def test_the_verb_measures_anybodys_files(tmp_path, command, walks, monkeypatch)
     assert (tmp_path / "table.csv").read_text().startswith(",made,made,made,real")
     said = command(f"evaluate {made} {real} {made}", status=2).err
     assert said.startswith("error: two methods have the name made")
+    said = command(f"evaluate {made} {real} --real {made}", status=2).err
+    assert said.splitlines()[-1].startswith("error: no method can have the name real")
     monkeypatch.setitem(sys.modules, "pandas", None)  # as if it were not installed
     for words in (f"evaluate {tmp_path}/none", f"benchmark table {out}"):
         said = command(f"{words} --out {tmp_path}/new.tex", status=2).err

@@ -37,7 +37,7 @@ def evaluate(
     """
     if out is not None:
         check_table(out, ".json")
-    names = method_names([folder.name for folder in folders])
+    names = method_names([folder.absolute().name for folder in folders])
     judge = None if recogniser is None else Recogniser.load(recogniser)
     named = {} if real is None else _clips(real, True, judge, unit, up, roles)
     methods = {}
@@ -64,8 +64,9 @@ def evaluate(
 
 def method_names(names: list[str]) -> list[str]:
     """The names, if none of them is there twice."""
-    if twice := next((name for name in names if names.count(name) > 1), None):
-        raise ValueError(f"two methods have the name {twice}; rename one's file or folder")
+    for name in names:
+        if names.count(name) > 1:
+            raise ValueError(f"two methods have the name {name}; rename one's file or folder")
     return names
 
 

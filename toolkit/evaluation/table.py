@@ -173,11 +173,14 @@ def report(clips: Motion | Mapping[str, Motion], real: Motion | None = None,
     Raises
     ------
     ValueError
-        If a clip is too short or lacks joints, or an array does not fit the skeleton.
+        If a clip is too short or lacks joints, an array does not fit the skeleton, or a method
+        has the name of the row of real motion.
     """
     data = dict(clips) if isinstance(clips, Mapping) else {"clips": clips}
     truth = None
     if real is not None:
+        if "real" in data:
+            raise ValueError("no method can have the name real, which is that of the real motion")
         data["real"] = truth = _listed(real, "real", None)
     data = {name: _listed(some, name, truth) for name, some in data.items()}
     notes, judged = [], {}
