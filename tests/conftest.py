@@ -34,8 +34,9 @@ def pytest_collection_modifyitems(items):
 
 
 def pytest_collection_finish(session):
-    """One of several processes, or `make kernels`, compiles the runtime; the others wait for it."""
+    """One of several processes compiles what all need, beside `make kernels`; the others wait."""
     if hasattr(session.config, "workerinput"):
+        compiled_runtime.fit()
         compiled_runtime.read()
 
 

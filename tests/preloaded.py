@@ -19,6 +19,7 @@ from tests import compiled_runtime
 from toolkit.view.render.opengl import opengl_works
 
 opengl_works()  # remembers it
+compiled_runtime.fit()
 fast = compiled_runtime.read()
 state = tk.runtime.start(fast, tk.pretrained().bank.vectors[0])
 tk.runtime.pose(fast, tk.runtime.step(fast, state, tk.runtime.Command()))
