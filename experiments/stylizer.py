@@ -11,7 +11,7 @@ import torch
 import typer
 
 from experiments.stylization import evaluation
-from experiments.stylization.judges import Judges
+from experiments.stylization.judges import Judges, NetworkJudge
 from experiments.tables import Result, Store
 from toolkit.datasets import procedural
 from toolkit.features.splits import generator
@@ -20,12 +20,17 @@ from toolkit.stylization import Motions, Stylizer, build, pretrained
 GAITS = ("FW", "BW", "FR", "SW", "ID")  # of its training
 SECONDS, JUDGED, LEARNT = 2.3, 6, 12  # of a clip; clips of a kind in a set and for the judges
 FIRST, STEP, WINDOWS = 300, 10, 70  # seeds of the first set, of the next ones; windows of a set
+BY_NETWORK = ["by a network, %", 0, 100]
 COLUMNS: dict[str, list] = {
     "method": ["method"],
     "content": ["content, %", 0, 100],
+    "content2": BY_NETWORK,
     "style": ["style, %", 0, 100],
+    "style2": BY_NETWORK,
     "both": ["both, %", 0, 100],
+    "both2": BY_NETWORK,
     "movement": ["style without mean pose, %", 0, 100],
+    "movement2": BY_NETWORK,
     "fmd": ["FMD", 1],
     "diversity": ["diversity, °", 1],
 }
@@ -40,7 +45,8 @@ def run(
     torch.set_num_threads(1)
     stylizer = pretrained() if model is None else Stylizer.load(model)
     learnt = clips(stylizer, range(100, 100 + LEARNT))
-    judges = Judges.train({"content": learnt, "style": learnt}, learnt)
+    labels = {"content": learnt, "style": learnt}
+    judges = Judges.train(labels, learnt), Judges.train(labels, learnt, NetworkJudge)
     found: dict[str, dict[str, list[float]]] = {}
     for seed in range(sets):
         first = FIRST + STEP * seed
@@ -62,17 +68,26 @@ def clips(stylizer: Stylizer, seeds: range) -> Motions:
     return build([clip for seed in seeds for clip in procedural.load(seed=seed, **options)])
 
 
-def rows(stylizer: Stylizer, judges: Judges, motions: Motions) -> Iterator[tuple[str, dict]]:
+def rows(stylizer: Stylizer, judges: tuple[Judges, Judges],
+         motions: Motions) -> Iterator[tuple[str, dict]]:
     """Measures of real motion, of floors and of the stylizer, by what they are of."""
+    first, second = judges
+
+    def judged(x: torch.Tensor, content: torch.Tensor, domain: torch.Tensor) -> dict:
+        said = second.right(x, content, domain).items()
+        return first.judge(x, content, domain) | {
+            f"{name}2": float(right.float().mean()) for name, right in said}
+
     order = torch.randperm(len(motions), generator=generator(0))
     some = motions.select(order[:WINDOWS].sort().values)
-    real = judges.judge(some.x, some.content, some.domain)
+    real = judged(some.x, some.content, some.domain)
     yield "real motion", real | {"diversity": evaluation.own_diversity(motions)}
     chosen, target = evaluation.pairs(some)
     sources = some.select(chosen)
     most = float(sources.content.bincount().max()) / len(target)
     style = float(target.bincount().max()) / len(target)
-    yield "most frequent class", {"content": most, "style": style, "movement": style}
+    yield "most frequent class", {"content": most, "style": style, "movement": style,
+                                "content2": most, "style2": style, "movement2": style}
     shift = stylizer.shift(sources.x, sources.domain, target)
     made = {"unchanged source": [sources.x], "mean-pose shift": [shift]}
     for by in ("noise", "reference"):
@@ -83,7 +98,7 @@ def rows(stylizer: Stylizer, judges: Judges, motions: Motions) -> Iterator[tuple
         made[f"the network, not smoothed, {by}"] = raw
     for method, motion in made.items():
         twice = sources.content.repeat(len(motion)), target.repeat(len(motion))
-        yield method, judges.judge(torch.cat(motion), *twice)
+        yield method, judged(torch.cat(motion), *twice)
         if len(motion) > 1:
             yield method, {"diversity": float(evaluation.angles(*motion).mean())}
 

@@ -16,14 +16,14 @@ from experiments.stylization.judges import Judge, Judges, NetworkJudge
 from experiments.tables import Result, Store
 from toolkit.features.splits import generator
 from toolkit.stylization import Motions, Stylizer
+from toolkit.stylization.training import Config
 
 #: The twelve styles, in the three groups whose real clips the regression tells apart best.
 GROUPS = (("active", "angry", "musical", "tired"),
           ("childish", "feminine", "normal", "not-confident"),
           ("happy", "masculinity", "old", "proud"))
 KINDS = {"regression": Judge, "network": NetworkJudge}
-METHODS = ("ours", "1-D convolutions")  # the second has as many iterations as the first
-ENDLESS = 1e6  # seconds: the iterations end the training
+METHODS = ("ours", "1-D convolutions")
 WINDOWS = 48  # of a part, at most, that are restyled
 DRAWS = 1000  # of the bootstrap
 SHARES = ("content", "style", "both", "movement")
@@ -33,41 +33,46 @@ COLUMNS: dict[str, list] = {
     "content": ["content, %"],
     "style": ["style, %"],
     "both": ["both, %"],
+    "seeds": ["both of each seed, %"],
     "movement": ["style without mean pose, %"],
     "agree": ["judges agree, %", 0, 100],
     "diversity": ["diversity, °", 1],
 }
 Found = dict[tuple[str, str], list[dict[str, Tensor]]]
+Models = dict[tuple[str, int], Stylizer]  # by method and seed
 
 
 def run(
     out: Annotated[Path, typer.Option(help="Folder of the runs; none is repeated.")] = (
         comparison.OUT / "rotation"),
-    seconds: Annotated[float, typer.Option(min=1, help="Processor time of our training.")] = 180,
-    seed: Annotated[int, typer.Option(help="Of weights, batches, noise and references.")] = 0,
+    iterations: Annotated[int, typer.Option(min=1, help="Of each training.")] = 2000,
+    seeds: Annotated[str, typer.Option(help="Comma-separated; a training of each.")] = "0,1,2",
     store: Store = False,
 ) -> None:
     """Restyle to each of twelve styles with a recipe that was chosen on five of them."""
     torch.set_num_threads(1)
-    motions, found, trainings = sets.dissimilar(), defaultdict(list), []
-    for number, styles in enumerate(GROUPS, 1):
-        task = sets.few_takes(motions, styles, sets.CONTENTS)
-        models, plan = {}, comparison.Plan(seconds)
-        for method in METHODS:
-            path = out / f"{number}-{comparison.slug(method)}-{seed}"
-            config = plan.config(seed, warm_up=300)
-            models[method], about = comparison.trained(method, task.train, config, path, True)
-            trainings.append({"group": number, "method": method, **about})
-            plan = comparison.Plan(ENDLESS, iterations=about["iterations"])
-        for name, part in scored(task, models, seed):
+    numbers = [int(word) for word in seeds.split(",")]
+    motions, trainings = sets.dissimilar(), []
+    tasks = [sets.few_takes(motions, styles, sets.CONTENTS) for styles in GROUPS]
+    models: list[Models] = [{} for _ in tasks]
+    for seed in numbers:
+        for group, task in enumerate(tasks):
+            for method in METHODS:
+                path = out / f"{group + 1}-{comparison.slug(method)}-{seed}"
+                config = Config.quick(seed=seed, iterations=iterations)
+                model, about = comparison.trained(method, task.train, config, path, True)
+                models[group][method, seed] = model
+                trainings.append({"group": group + 1, "method": method, "seed": seed, **about})
+    found = defaultdict(list)
+    for task, some in zip(tasks, models, strict=True):
+        for name, part in scored(task, some):
             found[name].append(part)
-    result = summary(found, trainings, seconds)
+    result = summary(found, trainings, iterations, numbers)
     print(result.numbers)
     result.show(store)
 
 
-def scored(task: sets.Task, models: Mapping[str, Stylizer],
-           seed: int) -> Iterator[tuple[tuple[str, str], dict[str, Tensor]]]:
+def scored(task: sets.Task, models: Models) -> Iterator[tuple[tuple[str, str], dict[str, Tensor]]]:
     """`judged` of real windows, of floors and of models, by method and where codes come from.
 
     Real windows are those of all takes, each judged by judges that did not learn from it. Windows
@@ -86,10 +91,10 @@ def scored(task: sets.Task, models: Mapping[str, Stylizer],
                 yield (floor, ""), said
             yield ("most frequent class", ""), said | {
                 "right": guessed(sources, target), "agree": torch.ones_like(said["agree"])}
-            for method, model in models.items():
+            for (method, seed), model in models.items():
                 for by in evaluation.WAYS:
                     made = evaluation.results(model, some, task.references[part], by, seed)
-                    yield (method, by), judged(sources, target, made, judges)
+                    yield (method, by), judged(sources, target, made, judges, seed)
 
 
 def guessed(sources: Motions, target: Tensor) -> Tensor:
@@ -100,12 +105,12 @@ def guessed(sources: Motions, target: Tensor) -> Tensor:
 
 
 def judged(sources: Motions, target: Tensor, made: Sequence[Tensor],
-           judges: Sequence[Judges]) -> dict[str, Tensor]:
+           judges: Sequence[Judges], seed: int = 0) -> dict[str, Tensor]:
     """What the judges say of results ``[P, 7, T, N]``, one or two for each source and target.
 
     ``right [2, 4, R]`` by judge and `SHARES`; of each result the ``take`` of its source, whether
-    the judges ``agree`` on the style, whether no choice was made on the target style (``new``), and
-    the ``angle`` to the other result.
+    the judges ``agree`` on the style, whether no choice was made on the target style (``new``), the
+    ``angle`` to the other result and the ``seed`` of the model.
     """
     count = len(made)
     content, domain = sources.content.repeat(count), target.repeat(count)
@@ -116,14 +121,16 @@ def judged(sources: Motions, target: Tensor, made: Sequence[Tensor],
     angle = evaluation.angles(*made) if count > 1 else torch.full((len(target),), torch.nan)
     return {"right": torch.stack([torch.stack([r[share] for share in SHARES]) for r in right]),
             "take": sources.take.repeat(count), "agree": names[0] == names[1],
-            "new": new[domain], "angle": angle.repeat(count)}
+            "new": new[domain], "angle": angle.repeat(count),
+            "seed": torch.full((len(x),), seed)}
 
 
-def summary(found: Found, trainings: list[dict], seconds: float) -> Result:
-    """The table: shares by each judge, "both" and movement with their intervals."""
+def summary(found: Found, trainings: list[dict], iterations: int, seeds: list[int]) -> Result:
+    """The table: shares by each judge, "both" and movement with their intervals and by seed."""
     whole = {name: {key: torch.cat([part[key] for part in parts], -1) for key in parts[0]}
              for name, parts in found.items()}
-    shift, lines, gains, new = whole["mean-pose shift", ""], [], {}, {}
+    shift = whole["mean-pose shift", ""]
+    lines, gains, new, by_seed = [], {}, {}, {}
     for (method, codes), of in whole.items():
         name = f"{method} {codes}".strip()
         shares, ends = of["right"].double().mean(-1), interval(of)
@@ -133,18 +140,27 @@ def summary(found: Found, trainings: list[dict], seconds: float) -> Result:
                 f" ({100 * ends[0, j, k]:.0f}–{100 * ends[1, j, k]:.0f})" if k > 1 else "")
                 for j in range(len(KINDS))]
             line[share] = " / ".join(texts)
+        if method in METHODS:
+            each = torch.stack([of["right"][:, :, of["seed"] == seed].double().mean(-1)
+                                for seed in seeds], -1)  # [2, 4, seeds]
+            line["seeds"] = " / ".join(
+                ", ".join(f"{100 * share:.0f}" for share in judge[SHARES.index("both")])
+                for judge in each)
+            by_seed[name] = each.tolist()
         lines.append(line | {"agree": float(of["agree"].float().mean()),
                              "diversity": float(of["angle"].mean())})
         new[name] = of["right"][:, :, of["new"]].double().mean(-1).tolist()
         if method in METHODS:
             gains[name] = interval(of, shift).tolist()
-    about = (f"Bandai-Namco dataset 1, each of twelve styles as a target; {seconds:g} seconds of "
-             "one processor thread for each training of ours, one seed; by the regression / the "
-             f"network, 95 % intervals over {len(shift['take'].unique())} takes of sources")
-    settings = {"seconds": seconds, "groups": GROUPS, "results of a floor": len(shift["take"]),
+    about = (f"Bandai-Namco dataset 1, each of twelve styles as a target; {iterations} iterations "
+             f"of each training, {len(seeds)} seeds; by the regression / the network, 95 % "
+             f"intervals over {len(shift['take'].unique())} takes of sources")
+    settings = {"iterations": iterations, "seeds": seeds, "groups": GROUPS,
+                "results of a floor": len(shift["take"]),
                 "real windows": len(whole["real motion", ""]["take"]), **machine("cpu")}
     numbers = {"trainings": trainings, "order": [list(KINDS), list(SHARES)],
-               "styles of no choice": new, "interval of the gain over the shift": gains}
+               "styles of no choice": new, "by seed": by_seed,
+               "interval of the gain over the shift": gains}
     return Result("stylisation-rotation", about,
                   "python -m experiments stylization-rotation --store", COLUMNS, lines, settings,
                   numbers)
