@@ -11,6 +11,7 @@ import pandas
 import plotly.graph_objects
 import pyvista
 import scipy.stats
+import sklearn.ensemble
 import sklearn.manifold
 import torch._dynamo
 

@@ -65,12 +65,15 @@ def seven() -> Page:
     Above the three layers is what blends their experts; in violet what the style does.
     """
     gates = {"PFNN": "one phase φ → spline", "MANN": "velocities → Ω", "LPN": "phases p → Ω"}
-    kinds = {"one-hot": ("+ Σ αs", ""), "adapter": ("", "+ h A + b"), "FiLM": ("γ · + β",) * 2}
+    kinds = {"one-hot": ("+ Σ αs", ""), "adapter": ("", "+ h A + b"),
+             "FiLM": ("γ · LN + β",) * 2}
     drawn = []
     for row, (network, gate) in enumerate(gates.items()):
         for column, (kind, marks) in enumerate(kinds.items()):
             if network == "MANN" and kind != "FiLM":
                 continue
+            if (network, kind) == ("PFNN", "adapter"):
+                marks = "", "+ h V diag(Σ αc) U + b"
             x, y = 20 + 300 * column, 30 + 130 * row
             parts = [f'<text x="{x}" y="{y}" font-weight="600">{network} {kind}</text>',
                      f'<text x="{x + 60}" y="{y + 22}" fill="{SYMBOLS["α"][0]}">{gate} → α</text>',

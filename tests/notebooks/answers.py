@@ -47,9 +47,10 @@ RIGHT["02a.2"] = [
         float(np.unwrap(phase.numpy())[-1] - phase[0]) / (len(phase) - 1) * fps / (2 * PI)
     ),
 ]
-RIGHT["02a.3"] = [((1, 1, 0), (1, -1, PI))]
+RIGHT["02a.3"] = [((1, 0, 0), (2, 0, PI))]
 WRONG["02a.3"] = [
     ((1, 1, 0), (1, 1, 1)), ((1, 1, 0), (1, 1, 2 * PI)), ((0, 1, 0), (1, 1, 2)),
+    ((1, 1, 0), (1, -1, PI)),
 ]
 RIGHT["02b.1"] = [(torch.arange(30.) - 3, torch.arange(30.))]
 WRONG["02b.1"] = [
@@ -123,6 +124,7 @@ RIGHT["06.3"] = [dict(before=9.0, after=4, mean=1, repeat=5)]
 WRONG["06.3"] = [
     dict(before=1, after=0.4, mean=1, repeat=0.5), dict(before=1, after=0.5, mean=1, repeat=0.1),
     dict(before=0.2, after=0.4, mean=1, repeat=0.3),
+    dict(before=1, after=0.3, mean=0.3, repeat=0.4),
 ]
 RIGHT["07.1"] = [math.degrees(math.acos(.5))]
 WRONG["07.1"] = [30, 90, 120]
@@ -203,6 +205,7 @@ WRONG["12.3"] = [
     'Everything works perfectly and nothing fails in 12 tests',
     dict(what='bones', unit='mm', measure=len),
     dict(what='the moon is made of cheese', unit='mm', measure=lambda x: 8),
+    dict(what='the head is wrong in every frame', unit='mm', measure=lambda x: 0),
     dict(what='bones of the arm get longer', unit='mm', measure=dict(Mine=1, Neutral=5).get),
     dict(what='bones of the arm get longer', unit='mm', measure=8),
 ]

@@ -134,12 +134,12 @@ EXERCISES = {
             ("give a turn and a shift of three numbers", lambda turn, shift: len(shift) == 3),
             ("the right numbers change, too: stay on the floor",
              lambda turn, shift: not _changes(_right, turn, shift)),
-            ("with this change the faulty numbers stay the same",
+            ("with this change the faulty numbers stay within 10 cm of what they were",
              lambda turn, shift: _changes(_shifted_only, turn, shift)),
             parts=2,
         ),
         "which of the two does the faulty code take out: where a character is, or its direction?",
-        "turn by any angle that is not a whole turn; the shift does not matter.",
+        "turn by a large angle; any shift along the floor will do.",
     ),
     "01.3": Exercise(
         same_as(lambda turns, pairs: FLIP @ turns[:, pairs] @ FLIP, _turns, {

@@ -88,7 +88,7 @@ WALKS = {
     # not in the notebook
     "second style": {"posture, cm": 5.2, "hips, cm": 3.0, "range, cm": 6.1},
     "second Neutral": {"posture, cm": 8.8, "hips, cm": 2.5, "range, cm": 8.0},
-    "second statue": {"posture, cm": 0.9, "hips, cm": 0.1, "range, cm": 0.3},
+    "second statue": {"posture, cm": 2.9, "hips, cm": 0.1, "range, cm": 0.3},
 }
 
 
@@ -118,7 +118,7 @@ def _finding(answer) -> str:
         return "the second measurement gives another number: fix the seed."
     if not (math.isfinite(mine) and math.isfinite(floor)):
         return "a number is not finite."
-    if mine < floor + 0.05 * abs(floor):
+    if not mine > floor + 0.05 * abs(floor):
         return "the floor has as much: then nothing is wrong with your style."
     return ""
 

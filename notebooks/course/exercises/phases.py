@@ -140,6 +140,7 @@ EXERCISES = {
         shows(
             ("give two limbs, three numbers each",
              lambda one, two: len(one) == len(two) == 3),
+            ("speed and amplitude are not negative", lambda one, two: min(*one[:2], *two[:2]) >= 0),
             ("their phases are the same, or differ by whole turns",
              lambda one, two: abs(_wrapped(one[2] - two[2])) > 0.1),
             ("their vectors differ: the network can tell the limbs apart",
