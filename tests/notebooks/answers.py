@@ -159,9 +159,9 @@ RIGHT["08b.3"] = [lambda m, s, n, r: (m - n) ** 2 + s * s + r * r - 2 * s * r]
 RIGHT["09.1"] = [1 / 12.5]
 WRONG["09.1"] = [0.04, 25, 12.5]
 RIGHT["09.2"] = [
-    180 - math.degrees(2 * math.asin(math.sqrt((0.84**2 - 0.01**2) / (4 * 0.43 * 0.42)))), 17.5
+    180 - math.degrees(2 * math.asin(math.sqrt((0.94**2 - 0.05**2) / (4 * 0.5 * 0.45)))), 16.5
 ]
-WRONG["09.2"] = [162.4, 0.307, 13.3, 35.2]
+WRONG["09.2"] = [163.3, 0.291, 13.3, 33.3, 17.6]
 RIGHT["09.3"] = [
     lambda x, c, fps: torch.stack(
         [(x[k + 1] - x[k]).norm() * fps for k in range(len(x) - 1) if c[k] and c[k + 1]]

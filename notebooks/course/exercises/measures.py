@@ -9,7 +9,7 @@ from course.checks import Exercise, draws, equals, same_as, shows, truth
 import toolkit as tk
 
 #: Degrees of the knee of exercise 09.2, whose bones have 43 and 42 cm, with a target at 84 cm.
-KNEE = math.degrees(math.acos((0.43**2 + 0.42**2 - 0.84**2) / (2 * 0.43 * 0.42)))
+KNEE = math.degrees(math.acos((0.5**2 + 0.45**2 - 0.94**2) / (2 * 0.5 * 0.45)))
 
 
 def _skate(places, contact, fps):
@@ -138,7 +138,7 @@ EXERCISES = {
             "this is in radians": math.radians(180 - KNEE),
         }, tolerance=0.03),
         "which angle has the knee of a straight leg, and which after that?",
-        "law of cosines with d = 0.84 m, acos, degrees; subtract it from 180.",
+        "law of cosines with d = 0.94 m, acos, degrees; subtract it from 180.",
     ),
     "09.3": Exercise(
         same_as(
