@@ -35,7 +35,7 @@ def triangles(
     names
         Of the three styles.
     """
-    places = np.asarray(weights) @ np.array([[0.0, 0.0], [1.0, 0.0], [0.5, 0.87]])
+    places = np.asarray(weights) @ np.array([[0.5, 0.87], [1.0, 0.0], [0.0, 0.0]])
     mesh = Delaunay(places).simplices
     figure = make_subplots(1, 2, subplot_titles=["weights", "measured in the walk"])
     for column, (x, y) in enumerate((places.T, np.stack([np.asarray(m) for m in measured])), 1):

@@ -130,7 +130,8 @@ def training_curves(
             )
     return finish(
         figure, title, 420, {"title": "step"},
-        {"title": "loss, its terms, held-out error", "type": "log", "dtick": "D2"}
+        {"title": "loss, its terms, held-out error", "type": "log",
+         "tickvals": [base * 10.0**k for k in range(-4, 4) for base in (1, 2, 5)]}
     )
 
 

@@ -82,7 +82,7 @@ def sliders(seconds: float = 8.0) -> Page:
     names = ["ahead", "up", "to the left", "speed over the hips"]
     data = {"styles": styles, "fps": 30, "names": names}
     page = Path(__file__).with_suffix(".html").read_text(encoding="utf-8")
-    return show(page.replace("DATA", embed(data)), 460)
+    return show(page.replace("DATA", embed(data)), 620)
 
 
 def walk(

@@ -157,9 +157,7 @@ def modulation(values: Tensor) -> Page:
 
 
 def baselines(table: pd.DataFrame) -> go.Figure:
-    """Errors of the network and of predictions without training, a group of bars for each row,
-    logarithmic.
-    """
+    """Errors of the network and of predictions without training, a group of bars for each row."""
     figure = go.Figure()
     for column, label, colour in (
         ("mean", "predict the mean", "#9aa1ab"),
@@ -172,7 +170,7 @@ def baselines(table: pd.DataFrame) -> go.Figure:
         )
     return finish(
         figure, "Error on held-out frames (shorter is better)", 160 + 60 * len(table),
-        {"type": "log", "dtick": "D2", "title": "mean squared error, normalised units"},
+        {"title": "mean squared error, normalised units"},
         {"autorange": "reversed"}
     )
 

@@ -37,7 +37,7 @@ def cycle(
     curve = ph.local_positions(clip, limb)[:, 2].numpy()
     figure = make_subplots(
         1, 3, column_widths=[0.3, 0.25, 0.45],
-        subplot_titles=["body, m", "phase", "hand ahead of hips, m"]
+        subplot_titles=["body, m", "phase", f"{limb.replace('_', ' ')} ahead of hips, m"]
     )
     seconds = np.arange(first, last + 1) / clip.fps
     figure.add_scatter(
@@ -147,7 +147,9 @@ def errors(table: pd.DataFrame, title: str) -> go.Figure:
             z=table.to_numpy(), x=list(table.columns), y=list(table.index), zmin=0, zmax=60,
             colorscale="YlOrRd",
             text=table.round().map(lambda v: "" if np.isnan(v) else f"{v:.0f}"),
-            texttemplate="%{text}", colorbar={"title": "degrees"}, hoverongaps=False
+            texttemplate="%{text}", hoverongaps=False, colorbar={
+                "title": "degrees", "tickvals": [0, 20, 40, 60],
+                "ticktext": ["0", "20", "40", "60 and more"]}
         )
     )
     return finish(
@@ -174,7 +176,7 @@ def against(table: pd.DataFrame, measures: list[str], truth: str, kind: str) -> 
         figure.update_xaxes(title=measure, row=1, col=column)
     figure.update_yaxes(title=truth, row=1, col=1)
     return finish(
-        figure, "Measures that need no truth, against the true error of the feet", 400, {}, {}
+        figure, "Measures without truth, against the true error of the feet", 400, {}, {}
     )
 
 
