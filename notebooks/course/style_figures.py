@@ -44,10 +44,10 @@ def vectors_figure(vectors: Tensor, names: Sequence[str]) -> Figure:
 
 def map_figure(
     points, names: Sequence[str], labels: Sequence[str], *, marked: Mapping | None = None,
-    title: str = ""
+    always: Sequence[str] = (), title: str = ""
 ) -> go.Figure:
     """Styles in the plane as `toolkit.view.style_space`, with the names of crowded points under the
-    mouse alone.
+    mouse alone, but those ``always``.
     """
     figure, at = style_space(points, names, labels, marked=marked, title=title), np.asarray(points)
     stars = [np.asarray(place) for place in (marked or {}).values()]
@@ -58,7 +58,8 @@ def map_figure(
     crowded = (
         (near[..., 0] < 0.008 * np.add.outer(letters[: len(at)], letters)) & (near[..., 1] < 0.035)
     ).sum(1) > 1
-    alone = {escape(name) for name, other in zip(names, crowded, strict=True) if not other}
+    alone = {escape(name) for name, other in zip(names, crowded, strict=True)
+             if not other or name in always}
     for trace in figure.data[: len(dict.fromkeys(labels))]:
         trace.hovertext, trace.text = (
             trace.text, [name if name in alone else "" for name in trace.text]

@@ -78,6 +78,10 @@ class CellWidget(widgets.Widget):
                 self._made[cell] = parent["header"]["msg_id"], made
             made.add(self)
 
+    def __repr__(self) -> str:
+        """What a page without a kernel shows below the picture."""
+        return f"{type(self).__name__}, a widget"
+
     def still(self) -> bytes:
         """A picture of such a widget, PNG."""
         return (STATIC / f"{type(self).__name__.lower()}.png").read_bytes()
