@@ -1,6 +1,5 @@
 """Styles learnt from single clips, each judged by its walk beside the clip (`styles.compare`)."""
 
-import re
 import warnings
 from collections import Counter
 from pathlib import Path
@@ -22,7 +21,7 @@ from toolkit.view import strip
 
 STEPS = styles.fine_tuning.STEPS
 ABOUT = "Styles learnt from one walking clip each, by their walk beside the clip."
-COMMAND = ("python -m experiments added-styles --root DATA [--fresh] [--kinds PART] "
+COMMAND = ("python -m experiments added-styles --root DATA [--fresh] "
            "[--model examples/models/recorded.safetensors] --store")
 WAYS = {"learn": "the best of all ways", "floor": "the nearest old style",
         "error": "the vector of the least error"}
@@ -48,7 +47,6 @@ def run(
     model: verbs.TrainedRun = None,
     fresh: Annotated[bool, typer.Option(
         "--fresh", help="The files that chose no limit, in place of those that did.")] = False,
-    kinds: Annotated[str, typer.Option(help="Which clips: a part of their paths.")] = "",
     pictures: Annotated[Path | None, typer.Option(help="Folder for a strip of each clip.")] = None,
     store: Store = False,
 ) -> None:
@@ -57,7 +55,7 @@ def run(
     base = "published" if parameters else "procedural" if model is None else model.stem
     found: dict[str, list[styles.Comparison]] = {way: [] for way in WAYS}
     refused = 0
-    for file in progress_bar(files(root, fresh, kinds), desc="styles", unit="clip"):
+    for file in progress_bar(files(root, fresh), desc="styles", unit="clip"):
         name = f"{base}: {file.parent.name}/{file.stem}"
         clip, why = walk(file, net)
         if clip is None:
@@ -93,12 +91,12 @@ def run(
         Result("added-styles", ABOUT, COMMAND, COLUMNS, rows, {"steps": STEPS}).add()
 
 
-def files(root: Path, fresh: bool, kinds: str) -> list[Path]:
+def files(root: Path, fresh: bool) -> list[Path]:
     """The files on which the limits were chosen, or all others."""
     if not fresh:
-        return [root / f"{name}.bvh" for name in CHOSE if re.search(kinds, name)]
-    return [file for file in below(root) if file.suffix == ".bvh" and re.search(kinds, str(file))
-            and f"{file.parent.name}/{file.stem}" not in CHOSE]
+        return [root / f"{name}.bvh" for name in CHOSE]
+    return [file for file in below(root)
+            if file.suffix == ".bvh" and f"{file.parent.name}/{file.stem}" not in CHOSE]
 
 
 def walk(file: Path, net: Run) -> tuple[Clip | None, str]:

@@ -31,6 +31,8 @@ COLUMNS = {
     "arrived": ["arrived, %", 0, 100], "frame": ["CPU ms a frame", 1],
 }  # fmt: skip
 
+SEEDS, APART = range(21, 26), 0.7  # of random scenes; metres between roots
+
 
 def run(
     model: verbs.TrainedRun = None,
@@ -38,10 +40,6 @@ def run(
     scenes: Annotated[str, typer.Option(help="Comma-separated: gate, streams, circle, swarm.")] =
     "gate,streams,circle,swarm",
     characters: Annotated[str, typer.Option(help="Comma-separated numbers.")] = "10,30,100",
-    seeds: Annotated[str, typer.Option(help="Comma-separated seeds.")] = "21,22,23,24,25",
-    keep: Annotated[float, typer.Option(min=0.1, help="Metres between roots.")] = 0.7,
-    bodies: Annotated[float, typer.Option(
-        help="Metres between bodies, each with the reach of its styles; 0: between roots.")] = 0.0,
     store: Store = False,
 ) -> None:
     """Crowds that keep apart: least distances, arrivals, milliseconds per frame."""
@@ -51,9 +49,8 @@ def run(
     for name in scenes.split(","):
         for many in map(int, characters.split(",")):
             found = []
-            for seed in map(int, seeds.split(",")):
-                scene = made[name](many, seed, keep)
-                scene = scene.spaced(net, bank, bodies) if bodies else scene
+            for seed in SEEDS:
+                scene = made[name](many, seed, APART)
                 blind = dataclasses.replace(scene, apart=None, walls=())
                 found.append(measured(net, bank, scene, scene.radii) | {
                     "said": bool(scene.check(net, bank)),
@@ -63,14 +60,14 @@ def run(
             rows.append({
                 "scene": f"{name} of {many}", "scenes": len(found), "kept": sum(kept),
                 "said": sum(one["said"] and not k for one, k in zip(found, kept, strict=True)),
-                "least": keep + min(one["least"] for one in found),
-                "floor": keep + min(one["floor"] for one in found),
-                "spread": ", ".join(f"{100 * (keep + part):.0f}" for part in parts),
+                "least": APART + min(one["least"] for one in found),
+                "floor": APART + min(one["floor"] for one in found),
+                "spread": ", ".join(f"{100 * (APART + part):.0f}" for part in parts),
                 **{key: float(np.mean([one[key] for one in found]))
                    for key in ("joints", "arrived", "frame")}})
             print(line(COLUMNS, rows[-1]), flush=True)
     if store:
-        Result("crowds", f"Random scenes whose roots keep {keep} m, of the embedded model; the "
+        Result("crowds", f"Random scenes whose roots keep {APART} m, of the embedded model; the "
                "gains of the avoidance were set on other seeds.",
                "python -m experiments crowds --store", COLUMNS, rows).add()
 

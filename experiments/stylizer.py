@@ -19,7 +19,7 @@ from toolkit.stylization import Motions, Stylizer, build, pretrained
 
 GAITS = ("FW", "BW", "FR", "SW", "ID")  # of its training
 SECONDS, JUDGED, LEARNT = 2.3, 6, 12  # of a clip; clips of a kind in a set and for the judges
-FIRST, STEP, WINDOWS = 300, 10, 70  # seeds of the first set, of the next ones; windows of a set
+FIRST, STEP, WINDOWS, SETS = 300, 10, 70, 3  # seeds of the first set, of the next; windows
 BY_NETWORK = ["by a network, %", 0, 100]
 COLUMNS: dict[str, list] = {
     "method": ["method"],
@@ -38,7 +38,6 @@ COLUMNS: dict[str, list] = {
 
 def run(
     model: Annotated[Path | None, typer.Option(help="By default the one in the package.")] = None,
-    sets: Annotated[int, typer.Option(min=1, help="Sets of clips, each of other seeds.")] = 3,
     store: Store = False,
 ) -> None:
     """The stylizer of the package on clips that it was not trained on, beside floors."""
@@ -48,14 +47,14 @@ def run(
     labels = {"content": learnt, "style": learnt}
     judges = Judges.train(labels, learnt), Judges.train(labels, learnt, NetworkJudge)
     found: dict[str, dict[str, list[float]]] = {}
-    for seed in range(sets):
+    for seed in range(SETS):
         first = FIRST + STEP * seed
         for method, row in rows(stylizer, judges, clips(stylizer, range(first, first + JUDGED))):
             for name, value in row.items():
                 if name in COLUMNS:
                     found.setdefault(method, {}).setdefault(name, []).append(value)
     about = (f"The stylizer of the package, {len(stylizer.domains)} styles and {len(GAITS)} gaits "
-             f"of procedural clips; mean ± deviation over {sets} sets of clips")
+             f"of procedural clips; mean ± deviation over {SETS} sets of clips")
     result = Result("stylizer", about, "python -m experiments stylizer --store", COLUMNS,
                     [{"method": method, **values} for method, values in found.items()],
                     {"windows of a set": WINDOWS, "clips for the judges": len(learnt)})

@@ -28,7 +28,7 @@ from toolkit.stylization.networks import Stylizer
 from toolkit.stylization.training import Config
 
 OUT = Path("out/stylization")
-USUAL = 60.0  # seconds of the comparison
+USUAL, SCORED = 60.0, "test"  # seconds of the comparison; the part of the data
 OURS: dict[str, dict] = {  # what differs from `Config.quick`
     "ours": {},
     "ours without ds": {"losses": LOSSES[:4]},
@@ -50,11 +50,10 @@ COLUMNS: dict[str, list] = {
 
 @dataclass(frozen=True)
 class Plan:
-    """Settings of all runs in a folder: processor time of a training, sources, the part scored."""
+    """Settings of all runs in a folder: processor time and iterations of a training, sources."""
 
     seconds: float
     sources: int = 64
-    part: str = "test"
     iterations: int = 10**9
 
     def config(self, seed: int, **changes) -> Config:
@@ -70,8 +69,6 @@ def run(
     seconds: Annotated[float, typer.Option(min=1, help="Processor time of a training.")] = USUAL,
     seeds: Annotated[str, typer.Option(help="Comma-separated; a run of each.")] = "0,1,2",
     methods: Annotated[str, typer.Option(help="Comma-separated.")] = ",".join(METHODS),
-    part: Annotated[str, typer.Option(help=f"Scored: {', '.join(sets.PARTS)}.")] = "test",
-    sources: Annotated[int, typer.Option(min=2, help="Most windows that are restyled.")] = 64,
     store: Store = False,
 ) -> None:
     """The losses of Park et al. 2021 (Table 1), and their stylizer compared with two others.
@@ -81,7 +78,7 @@ def run(
     torch.set_num_threads(1)
     chosen = _words(data, sets.SETS)
     names = _words(methods, METHODS)
-    plan = Plan(seconds, sources, part)
+    plan = Plan(seconds)
     settle(out, plan)
     tasks = {name: sets.load(name) for name in chosen}
     for seed in map(int, seeds.split(",")):
@@ -99,9 +96,9 @@ def measure(method: str, task: Task, plan: Plan, seed: int, folder: Path, name: 
     if not path.exists():
         config = plan.config(seed, **OURS.get(method, {}))
         model, numbers = trained(method, task.train, config, folder / "runs" / path.stem, progress)
-        judges, sources = judges_of(task, plan.part), sources_of(task, plan)
+        judges, sources = judges_of(task), sources_of(task, plan)
         ways = evaluation.WAYS if isinstance(model, Stylizer) else evaluation.WAYS[1:]
-        found = {by: evaluation.evaluate(model, sources, task.references[plan.part], judges, by,
+        found = {by: evaluation.evaluate(model, sources, task.references[SCORED], judges, by,
                                          seed) for by in ways}
         write_json(path, {"seed": seed, **numbers, "measures": found})
     return json.loads(path.read_text(encoding="utf-8"))
@@ -136,14 +133,13 @@ def summary(name: str, task: Task, plan: Plan, folder: Path) -> Result:
         for by, measured in found[0]["measures"].items():
             values = {key: [run["measures"][by][key] for run in found] for key in measured}
             lines.append({"method": method, "codes": by, **values})
-    real = task.sources[plan.part]
+    real = task.sources[SCORED]
     about = (f"Bandai-Namco {name}, {', '.join(real.domains)} in {', '.join(real.contents)}; "
-             f"{plan.seconds:g} seconds of one processor thread for each training, {plan.part} "
-             "windows; mean ± deviation over the seeds")
+             f"{plan.seconds:g} seconds of one processor thread for each training, test windows; "
+             "mean ± deviation over the seeds")
     settings = {
         "seconds": plan.seconds,
         "sources": plan.sources,
-        "part": plan.part,
         "most seeds of a method": max((len(n["seed"]) for n in numbers.values()), default=0),
         "training windows": len(task.train),
         "scored windows": len(real),
@@ -153,19 +149,17 @@ def summary(name: str, task: Task, plan: Plan, folder: Path) -> Result:
         **machine("cpu"),
     }
     command = (f"python -m experiments stylization --data {name} --seconds {plan.seconds:g} "
-               f"--part {plan.part} --methods \"{','.join(numbers)}\" --store")
-    ending = "" if plan.part == "test" else f"-{plan.part}"
-    if plan.seconds != USUAL:
-        ending = f"-{plan.seconds:g}-seconds{ending}"
+               f"--methods \"{','.join(numbers)}\" --store")
+    ending = "" if plan.seconds == USUAL else f"-{plan.seconds:g}-seconds"
     return Result(f"stylisation-{name}{ending}", about, command, COLUMNS, lines, settings,
                   {"runs": numbers})
 
 
 def _floors(task: Task, plan: Plan) -> Iterator[dict]:
     """Rows of real motion and of the floors."""
-    judges, sources = judges_of(task, plan.part), sources_of(task, plan)
+    judges, sources = judges_of(task), sources_of(task, plan)
     rows, target = evaluation.pairs(sources)
-    real, chosen = task.sources[plan.part], sources.select(rows)
+    real, chosen = task.sources[SCORED], sources.select(rows)
     held = judges.judge(real.x, real.content, real.domain)
     yield {"method": "real motion", **held, "diversity": evaluation.own_diversity(task.train)}
     kinds = torch.stack((chosen.content, target))
@@ -179,14 +173,14 @@ def _floors(task: Task, plan: Plan) -> Iterator[dict]:
         yield {"method": floor, **found, "diversity": None}
 
 
-def judges_of(task: Task, part: str) -> Judges:
-    """Judges of a part's windows."""
-    return Judges.train(task.judged[part], task.train)
+def judges_of(task: Task) -> Judges:
+    """Judges of the scored windows."""
+    return Judges.train(task.judged[SCORED], task.train)
 
 
 def sources_of(task: Task, plan: Plan) -> Motions:
     """The windows that are restyled."""
-    return sets.some(task.sources[plan.part], plan.sources)
+    return sets.some(task.sources[SCORED], plan.sources)
 
 
 def settle(folder: Path, plan: Plan) -> None:

@@ -68,7 +68,6 @@ def run(
         for name, part in scored(task, some):
             found[name].append(part)
     result = summary(found, trainings, iterations, numbers)
-    print(result.numbers)
     result.show(store)
 
 
@@ -130,7 +129,7 @@ def summary(found: Found, trainings: list[dict], iterations: int, seeds: list[in
     whole = {name: {key: torch.cat([part[key] for part in parts], -1) for key in parts[0]}
              for name, parts in found.items()}
     shift = whole["mean-pose shift", ""]
-    lines, gains, new, by_seed = [], {}, {}, {}
+    lines, gains, new = [], {}, {}
     for (method, codes), of in whole.items():
         name = f"{method} {codes}".strip()
         shares, ends = of["right"].double().mean(-1), interval(of)
@@ -141,12 +140,10 @@ def summary(found: Found, trainings: list[dict], iterations: int, seeds: list[in
                 for j in range(len(KINDS))]
             line[share] = " / ".join(texts)
         if method in METHODS:
-            each = torch.stack([of["right"][:, :, of["seed"] == seed].double().mean(-1)
-                                for seed in seeds], -1)  # [2, 4, seeds]
-            line["seeds"] = " / ".join(
-                ", ".join(f"{100 * share:.0f}" for share in judge[SHARES.index("both")])
-                for judge in each)
-            by_seed[name] = each.tolist()
+            each = [100 * of["right"][:, SHARES.index("both"), of["seed"] == seed].float().mean(-1)
+                    for seed in seeds]  # [2] by each judge
+            line["seeds"] = " / ".join(", ".join(f"{share:.0f}" for share in judge)
+                                       for judge in torch.stack(each, 1))
         lines.append(line | {"agree": float(of["agree"].float().mean()),
                              "diversity": float(of["angle"].mean())})
         new[name] = of["right"][:, :, of["new"]].double().mean(-1).tolist()
@@ -159,8 +156,7 @@ def summary(found: Found, trainings: list[dict], iterations: int, seeds: list[in
                 "results of a floor": len(shift["take"]),
                 "real windows": len(whole["real motion", ""]["take"]), **machine("cpu")}
     numbers = {"trainings": trainings, "order": [list(KINDS), list(SHARES)],
-               "styles of no choice": new, "by seed": by_seed,
-               "interval of the gain over the shift": gains}
+               "styles of no choice": new, "interval of the gain over the shift": gains}
     return Result("stylisation-rotation", about,
                   "python -m experiments stylization-rotation --store", COLUMNS, lines, settings,
                   numbers)
