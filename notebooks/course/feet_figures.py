@@ -19,11 +19,11 @@ FAST = 80  # cm/s: a swinging toe is faster, a standing one is not
 
 def toe_figure(
     clips: Mapping[str, Clip], contact, *, side: str = "right", start: float = 1.0,
-    stop: float = 3.0, title: str = ""
+    stop: float = 3.0, title: str = "", stand: float | None = None
 ) -> go.Figure:
     """Speed (in three dimensions, up to `FAST`) and height of a toe over time, a curve per clip.
 
-    It is green where the foot is in contact.
+    It is green where the foot is in contact; a line is at the height ``stand``, metres, if given.
 
     ``contact [F, 2]`` are contacts of all clips, right and left, above one half where a foot
     stands; they have the same number of frames.
@@ -39,6 +39,9 @@ def toe_figure(
                 x=seconds, y=value[show].numpy(), name=escape(name), legendgroup=name,
                 showlegend=row == 1, line={"color": WHEEL[k], "width": 2.5}, row=row, col=1
             )
+    if stand is not None:
+        figure.add_hline(100 * float(stand), row=2, col=1, line={"color": GRID, "dash": "dash"},
+                         annotation_text="standing")
     stands = np.asarray(contact)[:, FEET.index(side)] > 0.5
     fps = next(iter(clips.values())).fps
     edges = (

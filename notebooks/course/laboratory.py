@@ -53,7 +53,7 @@ def trial(
             else dataclasses.replace(procedural.STYLES[name], stagger=stagger)
         )
         found = measure(name, *procedural.truth(style, gait, seconds, seed), named).phase
-        rows += [(f"{name} {gait}", source, float(error[:2].nanmean()), float(error[2:].nanmean()))
+        rows += [(f"{name} {gait}", source, float(error[:2].mean()), float(error[2:].mean()))
                  for source, error in found.items()]
     return pd.DataFrame(rows, columns=["clip", "source", "hands", "feet"])
 

@@ -58,9 +58,10 @@ WRONG["02b.1"] = [
     (1.05 * torch.arange(20.) + 2, torch.arange(20.)),
 ]
 RIGHT["03a.1"] = [lambda first, second: np.roots([second - first, first])[0].real]
-RIGHT["03a.2"] = [(torch.arange(9.), 3 * torch.arange(9.) - 2)]
+RIGHT["03a.2"] = [(torch.arange(9.), 3 * torch.arange(9.) - 2), ([.01, .02, .04], [.02, .04, .08])]
 WRONG["03a.2"] = [
     ([1, 2], [2, 1]), (torch.arange(9.), torch.arange(9.) ** 2), ([1.], [2.]),
+    ([1000, 2000, 4000], [1000, 2000, 4008]),
 ]
 RIGHT["03a.3"] = [
     lambda a, h, b, k: k * (torch.nn.Linear(a, h).weight.numel() + h * h + h * b + 2 * h + b),
@@ -192,6 +193,8 @@ RIGHT["11.2"] = [
 RIGHT["11.3"] = [lambda s, d: s[d].sum(1).div(len(s)).quantile(torch.tensor([.025, .975]))]
 RIGHT["12.1"] = [lambda r: int(r['posture, cm'] < 6 and 9 / 2 < r['range, cm'] < 18)]
 WRONG["12.1"] = [
+    lambda r: r["posture, cm"] < 6 and r["range, cm"] > 0.31,
+    lambda r: r["posture, cm"] < 6 and (r["hips, cm"] > 1.5 or r["posture, cm"] < 2),
     lambda r: True, lambda r: r['posture, cm'] < 5, lambda r: r['range, cm'] > 3,
     lambda r: r['hips, cm'] in (0, 2.5), lambda r: r['range, cm'] in (9, 7),
 ]
