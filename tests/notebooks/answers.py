@@ -201,8 +201,10 @@ WRONG["12.1"] = [
 RIGHT["12.2"] = [1 / 6, 0.17]
 WRONG["12.2"] = [0.95, 0.83, 0.01]
 RIGHT["12.3"] = [
-    dict(what='bones of the arm get too long', unit='mm', measure=lambda x: 5 + (x == 'Mine')),
-    dict(what='the character drifts off its path', unit='cm', measure=dict(Mine=9, Neutral=2).get),
+    dict(what='bones of the arm get too long', unit='mm',
+         measure=lambda x: 5 + (x == 'Mine') + len(x) / 50),
+    dict(what='the character drifts off its path', unit='cm',
+         measure=dict(Mine=9, Neutral=2, Zombie=3).get),
 ]
 WRONG["12.3"] = [
     'Everything works perfectly and nothing fails in 12 tests',
@@ -211,4 +213,5 @@ WRONG["12.3"] = [
     dict(what='the head is wrong in every frame', unit='mm', measure=lambda x: 0),
     dict(what='bones of the arm get longer', unit='mm', measure=dict(Mine=1, Neutral=5).get),
     dict(what='bones of the arm get longer', unit='mm', measure=8),
+    dict(what='bones of the arm get longer', unit='mm', measure=lambda x: x == 'Mine'),
 ]

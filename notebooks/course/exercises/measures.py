@@ -116,11 +116,14 @@ def _finding(answer) -> str:
         return f"the unit should be one of {', '.join(UNITS)}."
     if not callable(answer["measure"]):
         return "`measure` should be a function: somebody else must be able to run it again."
-    mine, again, floor = (float(answer["measure"](name)) for name in ("Mine", "Mine", "Neutral"))
+    mine, again, floor, other = (
+        float(answer["measure"](name)) for name in ("Mine", "Mine", "Neutral", "Zombie"))
     if mine != again:
         return "the second measurement gives another number: fix the seed."
     if not (math.isfinite(mine) and math.isfinite(floor)):
         return "a number is not finite."
+    if floor == other:
+        return "Neutral and Zombie get the same number: measure their walks, too."
     if not mine > floor + 0.05 * abs(floor):
         return "the floor has as much: then nothing is wrong with your style."
     return ""
