@@ -19,7 +19,7 @@ from toolkit.stylization import Motions, Stylizer, build, pretrained
 
 GAITS = ("FW", "BW", "FR", "SW", "ID")  # of its training
 SECONDS, JUDGED, LEARNT = 2.3, 6, 12  # of a clip; clips of a kind in a set and for the judges
-FIRST, STEP, WINDOWS, SETS = 300, 10, 70, 3  # seeds of the first set, of the next; windows
+FIRST, STEP, WINDOWS, SETS = 300, 10, 70, 3  # seeds of the first set, the next; windows; sets
 BY_NETWORK = ["by a network, %", 0, 100]
 COLUMNS: dict[str, list] = {
     "method": ["method"],
