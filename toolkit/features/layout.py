@@ -108,7 +108,7 @@ class Layout:
         """Offsets of the current sample, 0, and of the future ones."""
         return self.samples[self.samples.index(0) :]
 
-    @property
+    @cached_property
     def names(self) -> tuple[str, ...]:
         """The J feature joints."""
         return tuple(self.skeleton.names[j] for j in self.skeleton.feature_joints)

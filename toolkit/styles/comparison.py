@@ -14,6 +14,7 @@ from torch import Tensor
 from torch.nn.functional import cosine_similarity
 
 from toolkit import runtime
+from toolkit.features import splits
 from toolkit.motion import Clip, contacts, rotations as R
 from toolkit.motion.clip import root_frames
 from toolkit.motion.roles import SIDES
@@ -21,7 +22,7 @@ from toolkit.motion.skeleton import FEET
 from toolkit.motion.trajectory import FPS, heading
 from toolkit.networks import FilmGenerator, Predictor
 from toolkit.networks.bank import StyleBank
-from toolkit.styles.fine_tuning import STEPS, NewStyles, fine_tune
+from toolkit.styles.fine_tuning import STEPS, NewStyles, fine_tune, prior_of
 
 SECONDS, LONGEST = 6.0, 12.0  # of a walk that is compared: at least, and of a clip at most
 WARM_UP = 2.0  # seconds before it
@@ -36,8 +37,10 @@ SHORTEST, SLOWEST, PERIODIC = 1.9, 0.3, 0.4
 LIMITS = {"speed": 0.25, "direction": 15.0, "steps": 0.2, "slower foot": 8.0, "hips": 6.0,
           "knees": 20.0, "head": 15.0}
 POSTURE, CLOSE, FAR, RANGE = 0.8, 2.0, 7.0, 2.2
-#: Shares of the way from the start of a training to its best vector.
-SHARES = 0.6, 0.8, 1.2, 1.4
+#: The search of `choose`: rounds; vectors of a round, of which the best ones make the next middle;
+#: their deviation, as a share of the bank's, and what is left of it in each further round; the
+#: excess that is enough.
+ROUNDS, VECTORS, BEST, NOISE, COOLING, ENOUGH = 8, 24, 6, 0.3, 0.85, 0.7
 VERDICTS = "good", "weak", "failed"
 UNITS = {"speed": "m/s", "direction": "°", "steps": "1/s", "slower foot": "cm/s", "hips": "cm",
          "knees": "°", "head": "°", "posture": "cm", "range": "cm"}
@@ -120,8 +123,8 @@ def learn(model: Predictor, bank: StyleBank, clips: Sequence[Clip], name: str, *
     """Learn one style from clips in several ways, until one walks as the longest clip does.
 
     The ways are the default of `fine_tune`, the same with the mirror images of the clips, and, for
-    a model that has its FiLM generator, the style vector alone. Of each, `choose` takes the vector
-    that walks most like the clip. The best way is kept.
+    a model that has its FiLM generator, the style vector alone. Of the best one, `choose` looks for
+    the vector that walks most like the clip.
 
     Parameters and errors are those of `fine_tune` and `choose`.
     """
@@ -132,38 +135,48 @@ def learn(model: Predictor, bank: StyleBank, clips: Sequence[Clip], name: str, *
     tried: list[Learnt] = []
     for way in ways:
         made = fine_tune(model, clips, name, bank, steps=steps, seed=seed, progress=progress, **way)
-        tried.append(Learnt(made, *choose(made, longest), mirror="mirror" in way))
+        tried.append(Learnt(made, *choose(made, longest, rounds=0), mirror="mirror" in way))
         if tried[-1].compared.verdict == "good":
             break
-    return min(tried, key=lambda one: one.compared.rank())
+    best = min(tried, key=lambda one: one.compared.rank())
+    bank, compared = choose(best.made, longest, seed=seed)
+    return replace(best, bank=bank, compared=compared)
 
 
-def choose(made: NewStyles, clip: Clip) -> tuple[StyleBank, Comparison]:
+def choose(made: NewStyles, clip: Clip, *, rounds: int = ROUNDS,
+           seed: int = 0) -> tuple[StyleBank, Comparison]:
     """The bank with that vector of a training which walks most like a clip, and its comparison.
 
-    Where no step of the training gives a good walk, vectors on the line from the first step to the
-    best one are tried. The clip should be a walk (`not_a_walk`). ValueError if several styles were
-    learnt at once.
+    Then an evolution strategy looks for a vector beside it that walks still more like the clip: the
+    error one step ahead, by which the training went, does not see where a walk ends. In each of so
+    many ``rounds``, random vectors around a middle walk side by side, and a weighted mean of the
+    best ones is the next middle. It ends early with an excess of `ENOUGH`.
+
+    The clip should be a walk (`not_a_walk`). ValueError if several styles were learnt at once.
     """
     if len(made.names) != 1:
         raise ValueError(f"one style is chosen at a time, got {', '.join(made.names)}")
     (name,) = made.names
     vectors = torch.cat([made.bank[name][None], made.tried[:, 0]])
-    floors = _floors(made.bank, made.bank[name], name)
-    found = _compared(clip, made.model, vectors, made.bank, floors)
-    ranked = sorted(range(len(found)), key=lambda i: found[i].rank())
-    if found[ranked[0]].verdict != "good":
-        start = made.tried[0]
-        # even if the start walks best, the line needs another end
-        others = (i for i in ranked if not torch.equal(vectors[i], start[0]))
-        end = vectors[next(others, ranked[0])]
-        line = torch.lerp(start, end, torch.tensor(SHARES, dtype=vectors.dtype)[:, None])
-        vectors = torch.cat([vectors, line])
-        found += _compared(clip, made.model, line, made.bank, floors)
-    best = min(range(len(found)), key=lambda i: found[i].rank())
-    kept = made.bank.vectors.clone()
-    kept[made.bank.names.index(name)] = vectors[best]
-    return replace(made.bank, vectors=kept), found[best]
+    floors, draw = _floors(made.bank, made.bank[name], name), splits.generator(seed)
+    deviation = NOISE * prior_of(made.model, made.bank)[1]
+    weights = torch.arange(BEST, 0, -1.0)[:, None] / sum(range(BEST + 1))
+    tried: list[tuple[Comparison, Tensor]] = []
+    for turn in range(rounds + 1):
+        found = zip(_compared(clip, made.model, vectors, made.bank, floors), vectors, strict=True)
+        ranked = sorted(found, key=lambda one: one[0].rank())
+        tried.append(ranked[0])
+        if ranked[0][0].excess <= ENOUGH:
+            break
+        # the best vector of the training is the first middle
+        near = torch.stack([vector for _, vector in ranked[:BEST]])
+        middle = (weights * near).sum(0) if turn else near[0]
+        noise = torch.randn(VECTORS, len(middle), generator=draw) * deviation * COOLING**turn
+        vectors = torch.cat([middle[None], middle + noise])
+    compared, kept = min(tried, key=lambda one: one[0].rank())
+    together = made.bank.vectors.clone()
+    together[made.bank.names.index(name)] = kept
+    return replace(made.bank, vectors=together), compared
 
 
 def _floors(bank: StyleBank, vector: Tensor, name: str | None) -> list[str]:

@@ -195,7 +195,7 @@ def _features(model: Predictor, clips: Clip | Sequence[Clip], name: str | None,
     return features.build(named, mirror=mirror, short="skip", samples=samples)
 
 
-def _prior(model: Predictor, bank: StyleBank | None) -> tuple[Tensor, Tensor]:
+def prior_of(model: Predictor, bank: StyleBank | None) -> tuple[Tensor, Tensor]:
     """Mean and deviation ``[D]`` of the bank's vectors; without a bank γ = 1, β = 0 of FiLM."""
     if bank is not None and len(bank) > 1:
         deviation = bank.vectors.std(0)
@@ -209,7 +209,7 @@ def _prior(model: Predictor, bank: StyleBank | None) -> tuple[Tensor, Tensor]:
 def _start(model: Predictor, bank: StyleBank | None, data: Features) -> Tensor:
     """Initial vectors ``[S, D]``: the bank's best style on the clips, or the prior's mean."""
     if bank is None:
-        return _prior(model, bank)[0].repeat(len(data.styles), 1)
+        return prior_of(model, bank)[0].repeat(len(data.styles), 1)
     best = []
     for style in data.styles:
         # the style's rows under the name of each style of the bank
@@ -244,7 +244,7 @@ def _descend(model: Predictor, bank: StyleBank | None, data: Features, learnt: l
     draw = splits.generator(seed, minibatches.MIXUP)
     # poses that are mixed in
     poses = model.inputs_mean[None, joints] if bank is None else _walked(model, bank)
-    mean, deviation = _prior(model, bank)
+    mean, deviation = prior_of(model, bank)
     adam = torch.optim.Adam(learnt, lr=rate, fused=True)
     for step in range(steps):
         adam.param_groups[0]["lr"] = rate * (1 + math.cos(math.pi * step / steps)) / 2
