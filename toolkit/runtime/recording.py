@@ -93,12 +93,22 @@ def record(
     recorded = list(recorded)
     if not recorded:
         raise ValueError("no frames to record: a rollout needs at least one command")
-    drawn = pose(model, joined(recorded, character), feet=feet, arms=arms)
-    return Clip(model.layout.skeleton, *drawn, FPS, name="rollout")
+    return _clip(model, joined(recorded, character), feet=feet, arms=arms)
 
 
-def joined(recorded: Sequence[CharacterState], character: int = 0) -> CharacterState:
+def record_all(model, recorded: Sequence[CharacterState]) -> list[Clip]:
+    """The motion of every character, sooner than `record` one by one."""
+    together = vars(joined(recorded, slice(None)))
+    return [_clip(model, CharacterState(**{name: part[:, i] for name, part in together.items()}))
+            for i in range(len(recorded[0].root))]
+
+
+def joined(recorded: Sequence[CharacterState], character: int | slice = 0) -> CharacterState:
     """The states of one character along the leading axis; without the style, which is large."""
     names = [f.name for f in dataclasses.fields(CharacterState) if f.name != "style"]
     parts = {name: torch.stack([getattr(s, name)[character] for s in recorded]) for name in names}
-    return CharacterState(**parts, style=parts["history"].new_empty(len(recorded), 0))
+    return CharacterState(**parts, style=parts["facing"][..., :0])
+
+
+def _clip(model, walked: CharacterState, **options: bool) -> Clip:
+    return Clip(model.layout.skeleton, *pose(model, walked, **options), FPS, name="rollout")

@@ -194,8 +194,7 @@ def _compared(clip: Clip, model: Predictor, vectors: Tensor, bank: StyleBank,
     together = torch.cat([vectors, *(bank[other][None] for other in floors)])
     asked = commands(clip)
     walked = list(runtime.states(runtime.quick(model, len(asked)), asked, together))
-    walked = walked[round(WARM_UP * FPS):]
-    walks = [runtime.record(model, walked, character=i) for i in range(len(together))]
+    walks = runtime.record_all(model, walked[round(WARM_UP * FPS):])
     beside = dict(zip(floors, walks[len(vectors):], strict=True))
     fixed = {"clip": measures(clip, clip)}
     others = {other: measures(walk, clip) for other, walk in beside.items()}
