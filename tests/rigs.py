@@ -1,7 +1,7 @@
 """The same walk on rigs with the names, joints, axes and units of common exporters."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import torch
 
@@ -138,9 +138,12 @@ def roles(convention: Convention) -> dict[str, str]:
     return found
 
 
-def walk(name: str, turned: bool = False, seconds: float = 4.0) -> Clip:
-    """A walk towards +z on a rig, in metres with Y up; ``turned``: each joint has its own axes."""
-    convention = TABLE[name]
+def walk(name: str, turned: bool = False, seconds: float = 4.0, **changes) -> Clip:
+    """A walk towards +z on a rig, in metres with Y up; ``turned``: each joint has its own axes.
+
+    ``changes`` are of fields of its convention.
+    """
+    convention = replace(TABLE[name], **changes)
     clip = tk.datasets.procedural.generate("Neutral", seconds=seconds)
     return _turned(_rig(clip, convention)) if turned else _rig(clip, convention)
 

@@ -9,11 +9,8 @@ from pathlib import Path
 
 import pytest
 
-import toolkit as tk
-
-CHROMIUM = next(
-    filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None
-)
+CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))),
+                None)
 FLAGS = ["--no-sandbox"]  # the default software path: the GPU path on software halves the rate
 SIZES = {"desk": {"width": 1280, "height": 760}, "phone": {"width": 390, "height": 844}}
 ROOT = Path(__file__).resolve().parents[2]
@@ -86,12 +83,6 @@ def touches(page):
 def pages(tmp_path_factory) -> Path:
     """A folder for pages that several tests open."""
     return tmp_path_factory.mktemp("pages")
-
-
-@pytest.fixture(scope="session")
-def embedded(pages) -> Path:
-    """The page of the embedded model under control."""
-    return tk.view.web(*tk.pretrained(), pages / "character.html")
 
 
 @pytest.fixture(scope="session")

@@ -487,9 +487,9 @@ def test_defects_are_those_of_python_and_red_on_the_timeline(desk):
     assert {one["joint"] for one in found} > {"left_toe", "limb and limb of 0 and 1"}
     assert [(one["kind"], one["joint"]) for one in found] == [
         (one.kind, one.joint) for one in expected]
-    for what, attribute in (("start", "start"), ("end", "end"), ("value", "value")):
+    for what in ("start", "end", "value"):
         assert [one[what] for one in found] == pytest.approx(
-            [getattr(one, attribute) for one in expected], abs=2e-3, rel=1e-5)
+            [getattr(one, what) for one in expected], abs=2e-3, rel=1e-5)
     desk.page.evaluate(FRAMES)
     for who, tab in enumerate(("shot", "wide")):
         desk.page.get_by_role("tab", name=tab, exact=True).click()

@@ -1,7 +1,6 @@
 """Pages of clips, of characters of one's own and of the course, and what is named like HTML."""
 
 import re
-from pathlib import Path
 
 import course
 import numpy as np
@@ -27,7 +26,7 @@ from toolkit.stylization import losses
 from toolkit.view.pages import page as pages_
 from toolkit.view.render import mannequin as body
 
-from .conftest import COMMENT, IMAGE, PLANTED, SCRIPT, shows_as_text
+from .conftest import COMMENT, IMAGE, PLANTED, SCRIPT, shows_as_text, visits
 
 
 @pytest.fixture(scope="module")
@@ -42,17 +41,28 @@ def numbers(page, values: str) -> np.ndarray:
 # clips and characters
 
 
+def planted(clip):
+    """The clip with names like HTML, and the weights of styles with such names."""
+    old = clip.skeleton
+    names = [f"{name}{PLANTED[j % 3]}" for j, name in enumerate(old.names)]
+    roles = {role: names[old.names.index(name)] for role, name in old.roles.items()}
+    ends = [names[j] for j in range(len(old)) if old.is_end(j)]
+    renamed = Skeleton(names, old.parents, old.offsets, roles, ends)
+    weights = {text: [1.0] * len(clip) for text in PLANTED}
+    return clip.replace(skeleton=renamed, style=IMAGE, name=SCRIPT), weights
+
+
 def test_the_page_plays_and_bends_as_python_does(visit, tmp_path, clip):
-    page = visit(tk.view.html([clip, clip.mirrored()], tmp_path / "walk.html", title="Walk"))
+    shown, weights = planted(clip)
+    page = visit(tk.view.html([shown, clip.mirrored()], tmp_path / "walk.html", title=IMAGE,
+                              caption=SCRIPT, labels=[COMMENT, "mirrored"], styles=[weights, None]))
     page.wait_for_function("() => globalThis.view?.state.drawn > 3")
     page.evaluate("() => { view.play(false); view.seek(40 / 60); }")
-    position, normal = (
-        numbers(page, f"view.scenes[0].body.{kind}") for kind in ("position", "normal")
-    )
-    skin = body.build(clip).skin
-    points, normals = skin.pose(clip.global_rotations[40], clip.global_positions[40])
-    np.testing.assert_allclose(position, points, atol=1e-3)
-    np.testing.assert_allclose(normal, normals, atol=0.02)
+    skin = body.build(shown).skin
+    expected = skin.pose(clip.global_rotations[40], clip.global_positions[40])
+    for kind, values, atol in zip(("position", "normal"), expected, (1e-3, 0.02), strict=True):
+        seen = numbers(page, f"view.scenes[0].body.{kind}")
+        np.testing.assert_allclose(seen, values, atol=atol)
     # At rest it is drawn once more, finer, and then no more until the camera goes round.
     canvas = "view.scenes[0].canvas"
     page.wait_for_function(f"() => {canvas}.width > 1.5 * {canvas}.clientWidth")
@@ -67,9 +77,12 @@ def test_the_page_plays_and_bends_as_python_does(visit, tmp_path, clip):
     page.mouse.move(380, 300, steps=4)
     page.mouse.up()
     page.wait_for_function(f"() => view.state.drawn > {drawn[1]}")
+    shows_as_text(page)
 
 
-def test_a_page_shows_a_character_of_ones_own(visit, tmp_path, hero, clip):
+def test_a_page_shows_a_character_of_ones_own_which_follows_as_retargeting_does(
+        visit, tmp_path, hero, clip):
+    """The live scene turns the joints itself; compared with Python's retargeting without IK."""
     page = visit(tk.view.html([clip], tmp_path / "walk.html", title="Hero", character=hero))
     page.wait_for_function("() => globalThis.view?.state.drawn > 3")
     page.evaluate("() => { view.play(false); view.seek(30 / 60); }")
@@ -79,19 +92,13 @@ def test_a_page_shows_a_character_of_ones_own(visit, tmp_path, hero, clip):
     seen = numbers(page, "view.scenes[0].body.position")
     np.testing.assert_allclose(seen, expected, atol=2e-3)  # 16-bit rotations, 8-bit weights
 
-
-def test_it_follows_another_skeleton_as_retargeting_does(visit, tmp_path, hero, clip):
-    """The live scene turns the joints itself; compared with Python's retargeting without IK."""
-    start = "globalThis.scene = new toolkitScene.Scene(stage, data.skeleton);"
-    hero = Character.load(hero)
-    data = {"skeleton": pages_.skeleton_data(clip, hero)}
-    page = visit(pages_.write(tmp_path / "live.html", "Hero", "", data, start))
+    page.evaluate("(data) => { globalThis.scene = new toolkitScene.Scene(stage, data); }",
+                  pages_.skeleton_data(clip, hero))
     made, lift = retargeting.retarget(clip, hero.rest, feet=False), None
     for frame in (0, 20, 50):
         page.evaluate(
             "([root, rotations]) => scene.body.pose(root, Float32Array.from(rotations))",
-            [clip.root_positions[frame].tolist(), clip.rotations[frame].flatten().tolist()]
-        )
+            [clip.root_positions[frame].tolist(), clip.rotations[frame].flatten().tolist()])
         seen = numbers(page, "scene.body.position")
         expected = hero.skin.pose(made.global_rotations[frame], made.global_positions[frame])[0]
         # The height of the soles over the floor is that of the first frame.
@@ -100,63 +107,7 @@ def test_it_follows_another_skeleton_as_retargeting_does(visit, tmp_path, hero, 
     assert abs(lift) < 0.1
 
 
-# what is named like HTML
-
-
-def player(path: Path, clip) -> None:
-    old = clip.skeleton
-    names = [f"{name}{PLANTED[j % 3]}" for j, name in enumerate(old.names)]
-    roles = {role: names[old.names.index(name)] for role, name in old.roles.items()}
-    ends = [names[j] for j in range(len(old)) if old.is_end(j)]
-    renamed = Skeleton(names, old.parents, old.offsets, roles, ends)
-    weights = {text: [1.0] * len(clip) for text in PLANTED}
-    clip = clip.replace(skeleton=renamed, style=IMAGE, name=SCRIPT)
-    tk.view.html(clip, path, title=IMAGE, caption=SCRIPT, labels=[COMMENT], styles=weights)
-
-
-def lesson(path: Path, clip) -> None:
-    def answer(*_):
-        raise ValueError(COMMENT + IMAGE + SCRIPT)
-
-    chart = charts.style_space([[0, 0], [1, 0], [0, 1]], PLANTED, PLANTED, title=COMMENT)
-    film = course.film(clip.replace(style=IMAGE), title=COMMENT, caption=SCRIPT)
-    parts = [lessons.charts(), lessons.chart(chart), film._repr_html_()]
-    parts += [course.check("01.1", value)._repr_html_() for value in (answer, COMMENT + IMAGE)]
-    path.write_text(f"<!doctype html><meta charset=utf-8><body>{''.join(parts)}", encoding="utf-8")
-
-
-@pytest.mark.parametrize("write", [player, lesson])  # others: test_web.py, test_director.py
-def test_a_page_with_planted_html_shows_it_as_text(visit, tmp_path, clip, write):
-    write(tmp_path / "page.html", clip)
-    page = visit(tmp_path / "page.html")
-    if write is lesson:
-        page.wait_for_selector(".main-svg text")
-        page.frames[1].wait_for_function("() => globalThis.view?.state.drawn")
-        assert COMMENT in page.frames[1].evaluate("() => document.body.textContent")
-    else:
-        page.wait_for_function("() => globalThis.view && document.querySelector('canvas')")
-    shows_as_text(page)
-
-
 # the course without a kernel
-
-
-@pytest.fixture
-def shown(visit, tmp_path):
-    """``shown(body)``: a page of the course."""
-
-    def open_(html: str):
-        path = tmp_path / "page.html"
-        path.write_text(f"<!doctype html><meta charset=utf-8><body>{html}", encoding="utf-8")
-        return visit(path)
-
-    return open_
-
-
-@pytest.fixture
-def framed(shown):
-    """Opens what is in the frame of a `course.Page`."""
-    return lambda page: shown(page.html).frames[1]
 
 
 def figures() -> list:
@@ -172,6 +123,53 @@ def figures() -> list:
         network_figures.poses([-1, 0, 1], pose, {"0%": pose, "100%": pose + 1}, "poses"),
         network_figures.blend_of_lines((1.0, -1.0), (0.0, 0.5)),
     ]
+
+
+@pytest.fixture(scope="module")
+def toy():
+    return plane.Toy(plane.SWITCHES, seed=0).train(4)
+
+
+@pytest.fixture(scope="module")
+def lesson(browser, pages, clip, toy):
+    """A page with figures, frames and what is named like HTML, of the tests in turn."""
+    def answer(*_):
+        raise ValueError(COMMENT + IMAGE + SCRIPT)
+
+    clips = procedural.load(["Neutral", "Zombie"], "FW", 3.0)
+    drawn = [*figures(), charts.style_space([[0, 0], [1, 0], [0, 1]], PLANTED, PLANTED,
+                                            title=COMMENT)]
+    shown = [
+        course.film(clip.replace(style=IMAGE), title=COMMENT, caption=SCRIPT), course.two_bone(),
+        course.show(losses_page.losses_page(toy), 460),
+        network_figures.modulation(torch.linspace(-2, 2, 32)), laboratory.sliders(6.0),
+        course.blind({"one": tuple(clips), "two": tuple(clips)}, "which is Neutral?"),
+        *[course.check("01.1", value) for value in (answer, COMMENT + IMAGE)],
+    ]
+    parts = [lessons.charts(), *map(lessons.chart, drawn), *(part._repr_html_() for part in shown)]
+    path = pages / "lesson.html"
+    path.write_text(f"<!doctype html><meta charset=utf-8><body>{''.join(parts)}", encoding="utf-8")
+    with visits(browser) as visit:
+        yield visit(path)
+
+
+@pytest.fixture
+def framed(lesson):
+    """The content of a frame by its number; frames out of sight rest."""
+    def scrolled(number: int):
+        frame = lesson.locator("iframe").nth(number)
+        frame.scroll_into_view_if_needed()
+        return frame.element_handle().content_frame()
+
+    return scrolled
+
+
+def test_a_lesson_with_planted_html_shows_it_as_text(lesson, framed):
+    lesson.wait_for_selector(".main-svg text")
+    film = framed(0)
+    film.wait_for_function("() => globalThis.view?.state.drawn")
+    assert COMMENT in film.evaluate("() => document.body.textContent")
+    shows_as_text(lesson)
 
 
 STATE = """div => [...div.querySelectorAll('.cartesianlayer path, .cartesianlayer .point')]
@@ -191,10 +189,9 @@ COLLIDE = """div => {
 }"""
 
 
-def test_each_slider_moves_its_figure_and_no_text_collides(shown):
-    drawn = figures()
-    page = shown(lessons.charts() + "".join(map(lessons.chart, drawn)))
-    for i in range(len(drawn)):
+def test_each_slider_moves_its_figure_and_no_text_collides(lesson):
+    page = lesson
+    for i in range(5):
         plot = page.locator(".plotly-graph-div").nth(i)
         plot.scroll_into_view_if_needed()
         for rail in plot.locator(".slider-rail-touch-rect").all():
@@ -205,9 +202,8 @@ def test_each_slider_moves_its_figure_and_no_text_collides(shown):
         assert plot.evaluate(COLLIDE) == [], i
 
 
-def test_the_ankle_follows_the_pointer(shown):
-    page = shown(course.two_bone().html)
-    frame = page.frames[1]
+def test_the_ankle_follows_the_pointer(lesson, framed):
+    page, frame = lesson, framed(1)
     frame.wait_for_selector("#leg")
     before = frame.locator("#d").inner_text()
     box = frame.locator("svg").bounding_box()
@@ -221,9 +217,8 @@ def test_the_ankle_follows_the_pointer(shown):
     assert 0 < float(frame.locator("#angle").inner_text()) < 180
 
 
-def test_a_loss_that_is_switched_off_shows_its_stylizer(framed):
-    toy = plane.Toy(plane.SWITCHES, seed=0).train(4)
-    frame = framed(course.show(losses_page.losses_page(toy), 460))
+def test_a_loss_that_is_switched_off_shows_its_stylizer(framed, toy):
+    frame = framed(2)
     frame.wait_for_selector("#table td")
 
     def table() -> dict:
@@ -248,8 +243,8 @@ def turn(page, slider: str, value: float) -> None:
 
 
 def test_both_sliders_of_a_hidden_layer_act_together(framed):
-    page = framed(network_figures.modulation(torch.linspace(-2, 2, 32)))
-    drawn = []
+    page, drawn = framed(3), []
+    page.wait_for_selector("canvas")
     for slider, value in (("g", 2), ("b", 1), ("g", 1), ("b", 0)):
         turn(page, slider, value)
         drawn.append(page.evaluate("() => document.querySelector('canvas').toDataURL()"))
@@ -257,7 +252,8 @@ def test_both_sliders_of_a_hidden_layer_act_together(framed):
 
 
 def test_sliders_of_the_laboratory_change_the_errors(framed):
-    page = framed(laboratory.sliders(6.0))
+    page = framed(4)
+    page.wait_for_selector("#table")
 
     def errors():
         return [int(x) for x in re.findall(r"(\d+)°", page.inner_text("#table"))]
@@ -271,8 +267,7 @@ def test_sliders_of_the_laboratory_change_the_errors(framed):
 
 
 def test_the_blind_page_counts_answers_of_each_pair_once(framed):
-    clips = procedural.load(["Neutral", "Zombie"], "FW", 3.0)
-    page = framed(course.blind({"one": tuple(clips), "two": tuple(clips)}, "which is Neutral?"))
+    page = framed(5)
     for _ in range(2):
         page.locator("button").first.click()
     assert page.inner_text("#ask") == "Done."

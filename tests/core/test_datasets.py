@@ -32,8 +32,8 @@ def recordings(shared):
     root = shared / "bandai"
     return {
         "100style": datasets.load("100style", shared / "100style"),
-        "bandai-1": datasets.load("bandai", root, dataset=1, gaits=["walk", "bow"])[::4],
-        "bandai-2": datasets.load("bandai", root, dataset=2, styles="active")[::6],
+        "bandai-1": datasets.load("bandai", root, dataset=1, gaits=["walk", "bow"])[::8],
+        "bandai-2": datasets.load("bandai", root, dataset=2, styles="active")[::12],
     }
 
 
@@ -108,7 +108,6 @@ def test_bandai_reads_names(tmp_path):
     [
         ({"name": "100styles"}, "unknown dataset '100styles'; did you mean '100style'.*known: pro"),
         ({"styles": "Zombi"}, "unknown style 'Zombi'; did you mean Zombie"),
-        ({"gaits": ["FW", "TR1"]}, "no file of TR1 in"),
         ({"styles": ["Zombie"], "gaits": ["BR"]}, "no file of Zombie, BR in"),
         ({"name": "bandai"}, "bandai: no matching BVH file in .*github.com/BandaiNamcoResearchInc"),
         ({"name": "bandai", "dataset": 3}, "dataset must be 1, 2 or None for both, got 3"),
@@ -145,16 +144,12 @@ def test_table1_equals_the_paper(shared, capsys):
     assert printed == TABLE1.replace("|", " ").splitlines()
 
 
-def test_real_recordings_have_the_size_of_people_and_are_mirrored(recordings):
+def test_real_recordings_have_the_size_of_people(recordings):
     for kind, clips in recordings.items():
         for clip in clips:
             height = clip.global_positions[..., 1]
             assert -0.05 < height.min() < 0.1, (kind, clip.name)
             assert 1.0 < height.amax(1).median() < 2.0, (kind, clip.name)
-            mirrored, pairs = clip.mirrored(), list(clip.skeleton.mirror_pairs)
-            reflected = (clip.global_positions * torch.tensor([-1.0, 1, 1]))[:, pairs]
-            error = (mirrored.global_positions - reflected).norm(dim=-1).max()
-            assert error < 0.01, (clip.name, error)
     assert {c.fps for c in recordings["100style"]} == {60.0}
     assert {c.fps for k in ("bandai-1", "bandai-2") for c in recordings[k]} == {30.0}
     found = {(c.style, c.gait, len(c)) for c in recordings["100style"]}

@@ -131,15 +131,6 @@ def test_networks_of_float32_take_motion_of_float64(walk_clip, small_run):
     assert same["joint_mse"] == pytest.approx(known["joint_mse"], rel=1e-3)
 
 
-def test_a_gradient_is_not_lost_on_the_way_through_scipy(walk_clip):
-    roots = walk_clip.root_positions.clone().requires_grad_()
-    clip = walk_clip.replace(root_positions=roots)
-    clip.moved(0.3).global_positions.sum().backward()
-    assert roots.grad.abs().min() > 0
-    with pytest.raises(RuntimeError, match="requires grad"):
-        clip.resample(30.0)
-
-
 if torch.cuda.is_available():
 
     @pytest.mark.parametrize("work", [motion, walking, numbers])

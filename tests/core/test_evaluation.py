@@ -61,20 +61,6 @@ def test_observing_keeps_shared_columns_and_makes_the_phase_the_models_own(model
         assert ((ahead >= 0) & (ahead < math.tau)).all()
 
 
-def test_statistics_are_those_of_the_models_own_columns(model, data):
-    found = networks.normalisers(model.layout, data)
-    z = torch.cat([model.observe(data.phases[s], data.outputs[s])[1] for s in data.styles]).double()
-    torch.testing.assert_close(found["outputs"].mean, z.mean(0).float(), rtol=1e-5, atol=1e-6)
-    deviation = z.std(0, correction=0)
-    deviation = torch.where(deviation < 1e-5, 1.0, deviation).float()
-    torch.testing.assert_close(found["outputs"].std, deviation, rtol=1e-4, atol=1e-6)
-    for kind in ("inputs", "clips"):
-        assert torch.equal(found[kind].mean, data.normalisers()[kind].mean)
-    if not model.name.startswith("lpn"):  # an angle stays an angle
-        assert found["phases"].mean.tolist() == [0.0] * model.layout.n_phases
-        assert found["phases"].std.tolist() == [1.0] * model.layout.n_phases
-
-
 def test_errors_equal_a_loop_over_frames(model, data):
     bank = loss.make_bank(model, data, clips=2)
     assert bank.names == ("Neutral", "Zombie") == tuple(data.styles)

@@ -1,7 +1,6 @@
 """Features: widths, meaning against slow loops, invariance, errors."""
 
 import dataclasses
-import inspect
 import itertools
 import math
 
@@ -18,12 +17,6 @@ from toolkit.features import Layout, Normaliser, Rows, frames, moments, split_jo
 from toolkit.motion import root_frames
 
 
-def style_clips(clip, start=0, stop=None):
-    own = features.own_features(clip, phases.extract(clip, "contact"))
-    starts = start + torch.arange(0, len(clip.cut(start, stop)) - 239, 120)
-    return own.style_clips(torch.stack((starts, torch.full_like(starts, 240)), 1))
-
-
 def test_widths_are_the_papers(walk_clip):
     layout = Layout(walk_clip.skeleton)
     assert (layout.n_joints, layout.n_inputs, layout.n_outputs) == (25, 348, 342)
@@ -37,7 +30,6 @@ def test_widths_are_the_papers(walk_clip):
     legs = (0, 17, 18, 19, 0, 21, 22, 23)
     spine_and_arms = (-1, 0, 1, 2, 3, 4, 5, 4, 7, 8, 9, 10, 4, 12, 13, 14, 15)
     assert layout.parents == spine_and_arms + legs
-    assert style_clips(walk_clip).shape[1:] == (240, 300)
 
 
 def test_rows_are_positions_and_velocities_in_the_root_frame(walk_clip):
@@ -81,8 +73,6 @@ def test_packing_refuses_what_does_not_fit(walk_clip):
     assert layout.pack_input(trajectory=window, joints=joints).shape == (5, 348)
     with refusal("expected the blocks trajectory, joints; got joints"):
         layout.pack_input(joints=joints)
-    with refusal("expected the blocks"):
-        layout.pack_input(trajectory=window, joints=joints, more=joints)
     with refusal("block 'joints' needs 300 columns"):
         layout.pack_input(trajectory=window, joints=joints[..., :11])
 
@@ -113,16 +103,6 @@ def test_rows_are_read_as_those_of_a_tensor():
     assert torch.equal(chosen[:], expected[mask])
 
 
-@pytest.mark.parametrize(("start", "stop"), [(0, None), (3, 243), (100, 339)])
-def test_style_clips_are_runs_of_joint_features(walk_clip, start, stop):
-    block = features.joint_features(walk_clip, root_frames(walk_clip))
-    end = min(480, 1000 if stop is None else stop)
-    expected = [block[i : i + 240] for i in range(start, end - 239, 120)]
-    found = style_clips(walk_clip, start, stop)
-    assert found.shape == (len(expected), 240, 300)
-    assert all(torch.equal(a, b) for a, b in zip(found, expected, strict=True))
-
-
 @pytest.fixture(scope="module")
 def two_walks(walk_clip):
     return [walk_clip.cut(0, 250).replace(name="one"),
@@ -138,13 +118,16 @@ def test_build_against_a_slow_loop(two_walks):
         clip = clips[take]
         both = [clip] if clip.name == "two" else [clip, clip.mirrored()]
         for c, ph in zip(both, phases.extract_group(both, "contact"), strict=True):
-            expected[clip.style].append((take, frames(c, ph), style_clips(c)))
+            poses = features.joint_features(c, root_frames(c))
+            runs = [poses[i : i + 240] for i in range(0, len(c) - 239, 120)]
+            expected[clip.style].append((take, frames(c, ph), torch.stack(runs)))
     assert data.layout == Layout(clips[0].skeleton)
     assert data.styles == ["Neutral", "Twin"]
     assert data.n_frames == 139 * 5
     assert f"frames=695, seconds={139 * 5 / 60:.4g}" in repr(data)
     for style, parts in expected.items():
         takes, rows, clips = zip(*parts, strict=True)
+        assert clips[0].shape == (1, 240, 300)
         for kind in ("inputs", "phases", "outputs"):
             known = torch.cat([getattr(some, kind) for some in rows])
             assert_close(getattr(data, kind)[style], known)
@@ -238,11 +221,6 @@ def test_the_same_file_at_two_scales_is_not_mixed(walk_clip):
         tk.features.build([scaled(1.0), scaled(2.54)])
     assert Layout(scaled(1.0).skeleton) == Layout(scaled(1.15).skeleton)  # a tall person
     assert Layout(scaled(1.0).skeleton) != Layout(scaled(1.7).skeleton)  # another unit
-    for names, ends in ((["x", *skeleton.names[1:]], skeleton.ends),
-                        (skeleton.names, skeleton.ends[1:])):
-        roles = skeleton.roles | {"hips": names[0]}
-        other = tk.Skeleton(names, skeleton.parents, skeleton.offsets, roles, ends)
-        assert Layout(other).difference(Layout(skeleton)) == "its joints differ"
     longer = skeleton.offsets.clone()
     longer[1] += 9  # metres: the first bone counts as the others
     other = tk.Skeleton(skeleton.names, skeleton.parents, longer)
@@ -267,14 +245,6 @@ def test_the_natural_speed_is_the_median_of_walks_ahead():
     assert math.isnan(features.natural_speed(clips[1:3]))
 
 
-def test_the_frame_numbers_of_two_recordings_are_more_than_a_style_clip_apart(walk_clip):
-    data = features.build([walk_clip, walk_clip], source="contact")
-    numbers, takes = data.frames["Neutral"], data.takes["Neutral"]
-    assert int(numbers[0]) == 60  # the first that has a second before it
-    assert int(numbers[takes == 1].min() - numbers[takes == 0].max()) > features.CLIP_FRAMES
-    assert data.spans["Neutral"][:, 0].tolist() == [0, 120, 240, 720, 840, 960]
-
-
 @pytest.mark.parametrize(("mirror", "short", "samples"), [
     (False, "raise", tuple(range(-60, 60, 10))),
     (True, "skip", (-45, -5, 0, 7, 40)),
@@ -294,12 +264,3 @@ def test_features_and_splits_are_what_they_were(walk_clip, zombie, mirror, short
         unchanged.check(f"features, mirror {mirror}: {number}", part)
     unchanged.check(f"ground, mirror {mirror}", data.ground(), near=1e-6)
     unchanged.check(f"normalisers, mirror {mirror}", [*map(vars, data.normalisers().values())])
-
-
-def test_defaults_of_features():
-    """No mirror images, a short clip is an error, local phases of the hybrid source."""
-    for make in (features.build, features.features.recordings):
-        given = {name: p.default for name, p in inspect.signature(make).parameters.items()
-                 if p.kind is p.KEYWORD_ONLY}
-        assert given == {"source": "hybrid", "mirror": False, "short": "raise", "progress": False,
-                         "samples": tuple(range(-60, 60, 10))}

@@ -6,7 +6,6 @@ import io
 import json
 import random
 import re
-import shutil
 import sys
 import threading
 import zipfile
@@ -106,7 +105,7 @@ def test_fetched_data_is_found_without_a_root(root, server, command, members):
 
 
 @pytest.mark.parametrize("plan", [["cut 98304"], ["stall 98304"], ["500", "429"],
-                                  ["chunked 98304"], ["unannounced 98304"], ["302 /elsewhere.zip"],
+                                  ["chunked 98304"], ["unannounced 98304"],
                                   ["cut 16384"] * (download.TRIES + 2)])
 def test_a_bad_connection_is_tried_again(root, server, plan):
     server.plan.extend(plan)
@@ -126,7 +125,7 @@ def cut(server, **options):
     server.requests.clear()
 
 
-def test_a_server_that_stays_bad_is_given_up_and_gone_on_with_later(root, server, members):
+def test_a_server_that_stays_bad_is_given_up_and_gone_on_with_later(root, server):
     cut(server)
     right, server.content = server.content, bytes(reversed(server.content))
     with refusal(r"refused \(removed"):
@@ -136,22 +135,8 @@ def test_a_server_that_stays_bad_is_given_up_and_gone_on_with_later(root, server
     cut(server)
     assert get()["files"] == 5
     assert server.requests[-1]["Range"] == "bytes=98304-"
-    shutil.rmtree(root)
-    server.requests.clear()
-    cut(server)
-    server.content = zipped(members | {"100STYLE/more.txt": b"more"})
-    assert get(sha256=sha256(server.content))["files"] == 6  # it does not go on with that part
     with pytest.raises(OSError, match=r"/none\.zip: no connection.* 5 times; is there a net"):
         get(root=root.parent / "new", source="http://127.0.0.1:9/none.zip")
-
-
-@pytest.mark.parametrize("ranges", [True, False])
-def test_a_file_that_changes_in_between_is_refused(root, server, ranges):
-    server.ranges = ranges
-    server.plan.extend(["cut 98304", "changed"])
-    with refusal(r'another file than before: expected "first", got "sec'):
-        get()
-    assert left(root) == []
 
 
 def test_a_server_without_ranges_sends_all_again(root, server):
@@ -193,14 +178,6 @@ def test_a_single_style_costs_little_of_a_large_archive(root, server, monkeypatc
     assert min(starts) > len(other)
 
 
-@pytest.mark.parametrize("plan", [["cut 5000"] * 3, ["whole", "500", "429"],
-                                  ["whole"] * 3 + ["stall 20000"]])
-def test_single_styles_over_a_bad_connection(root, server, plan):
-    server.plan.extend(plan)
-    assert get(styles=ALL)["files"] == 5
-    assert not server.plan
-
-
 @pytest.mark.parametrize(("plan", "changes", "problem"), [
     (["whole", "whole", "changed"], {}, "another file than before"),
     (["whole", "shifted"], {}, "sends another part than bytes from [0-9]+ on: 'bytes 0-"),
@@ -236,14 +213,6 @@ def test_a_download_that_was_whole_when_it_was_stopped_stays_as_it_is(server, tm
     (tmp_path / "it.zip.part").write_bytes(server.content)
     download.download(server.url, tmp_path / "it.zip", known=True)
     assert (tmp_path / "it.zip").read_bytes() == server.content
-
-
-@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a device that is always full")
-def test_a_disk_that_is_full_during_a_download_is_named(server, tmp_path):
-    (tmp_path / "it.zip.part").symlink_to("/dev/full")
-    with pytest.raises(OSError, match=r"cannot be written \(No space") as error:
-        download.download(server.url, tmp_path / "it.zip", known=True)
-    assert error.value.filename == str(tmp_path / "it.zip.part")
 
 
 def test_a_wrong_checksum_is_refused_and_the_file_removed(root, server, command):
@@ -311,7 +280,6 @@ def test_damaged_archives_are_refused(root, tmp_path, members):
         assert not root.exists()
 
     whole = zipped(members)
-    refused(whole[: len(whole) // 2], "not a whole zip archive")
     refused(b"<!DOCTYPE html><title>Log in</title>", r"not a whole zip archive .*<!DOCTYPE html>")
     middle = whole.index(b"100STYLE/Frame_Cuts.csv") + 200
     wrong = bytes([whole[middle] ^ 255])
@@ -399,9 +367,6 @@ def test_the_layouts_of_the_other_archives(shared, tmp_path, monkeypatch):
     assert clip.gait == "walk"
     there = sorted(p.name for p in home.folder("bandai").rglob("*") if p.is_file())
     assert there == ["LICENSE", take.name, fetch.RECORD]
-    archive.write_bytes(zipped(moves | {f"{part}/data/data/{take.name}": pointer}))
-    with refusal("expected HIERARCHY"):
-        fetch.fetch("bandai", tmp_path / "elsewhere", archive)
 
 
 def test_without_anything_set_the_users_data_folder_is_the_home(monkeypatch, tmp_path):
@@ -409,9 +374,4 @@ def test_without_anything_set_the_users_data_folder_is_the_home(monkeypatch, tmp
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path))
     if sys.platform == "linux":
         assert home.home() == tmp_path / "toolkit"
-    monkeypatch.setenv("TOOLKIT_DATA", str(tmp_path / "mine"))
-    assert home.folder("lpn-film-100style") == tmp_path / "mine" / "lpn_film_100style"
     assert not tk.published.available()
-    said = r"lpn-film-100style: nothing at .*data fetch lpn-film-100style"
-    with refusal(said):
-        tk.published.load()

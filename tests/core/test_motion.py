@@ -1,5 +1,4 @@
 import dataclasses
-import itertools
 import math
 
 import numpy as np
@@ -41,17 +40,6 @@ def test_forward_kinematics_against_plain_matrices_and_back(clip):
     rotations, _ = forward_kinematics(skeleton, clip.rotations, clip.root_positions)
     back = local_rotations(skeleton, rotations)
     assert_close(back, clip.rotations, atol=1e-5, rtol=0)
-
-
-def test_forward_kinematics_of_any_leading_shape_and_its_gradient():
-    skeleton = human()
-    q, root = quaternions(0, 2, 3, 20), quaternions(1, 2, 3)[..., :3]
-    turned, positions = forward_kinematics(skeleton, q, root)
-    for i, j in itertools.product(range(2), range(3)):
-        one = forward_kinematics(skeleton, q[i, j], root[i, j])
-        assert_close((turned[i, j], positions[i, j]), one)
-    q, root = q[0, :1].requires_grad_(), root[0, :1].requires_grad_()
-    assert torch.autograd.gradcheck(lambda *x: forward_kinematics(skeleton, *x), (q, root))
 
 
 def test_a_skeleton_that_inference_mode_used_first_can_be_differentiated():
@@ -183,7 +171,6 @@ def test_names_that_are_roles_of_other_joints_change_nothing(walk_clip):
     ("ab", (-1,), "2 joint names need 2 parents"),
     ("aa", (-1, 0), "a joint is named twice: a"),
     ("abc", (-1, 2, 0), "every parent before its children"),
-    ("ab", (0, 0), "root must come first"),
     ("", (), "root must come first"),
 ])
 def test_bad_skeleton(names, parents, match):
@@ -215,9 +202,3 @@ def test_bad_clip():
     for fps in (0.0, math.nan):
         with refusal("cannot resample"):
             Clip(skeleton, q, p, 30).resample(fps)
-
-
-def test_a_joint_that_is_not_there_cannot_be_mirrored_about():
-    skeleton = Skeleton(("a", "b"), (-1, 0), torch.zeros(2, 3))
-    with refusal("no joint has the role 'left_hip'"):
-        Clip(skeleton, quaternions(0, 3, 2), torch.zeros(3, 3), 30).mirrored()

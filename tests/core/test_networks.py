@@ -141,9 +141,6 @@ def test_layouts_of_other_phases():
         assert dataclasses.replace(tree(25), phase=kind).n_outputs == width + 252
         assert Layout.from_json(own.to_json()) == own
         assert (own == layout) == (kind == "local")
-    for name in networks.MODELS:
-        own = tiny_model(name=name).layout
-        assert networks.build(name, own, 2, TINY).layout == own
     old = layout.to_json()
     del old["phase"]
     assert Layout.from_json(old) == layout
@@ -310,19 +307,7 @@ def test_models_start_and_compute_as_they_did(name):
     unchanged.check(f"predictions of {name}", found, near=1e-4)
 
 
-def test_a_spline_at_a_control_point_has_its_weights_alone():
-    gates = networks.experts.CatmullRom()(torch.tensor([[0.0], [torch.pi / 2]]))
-    assert_close(gates, torch.eye(4)[:2])
-
-
-def test_weights_start_in_their_ranges_and_gates_are_a_convex_blend():
-    bias = FilmGenerator(3, 8, 5, 2, 3, 4, 0.1).out.bias
-    assert bias.tolist() == [1.0] * 5 + [0.0] * 5 + [1.0] * 5 + [0.0] * 5
-    layer, gating = BlendedLinear(8, 30, 20), Gating(8, 32, 8, 0.3).eval()
-    bounds = {layer: 30 * 20} | {dense: sum(dense.weight.shape) for dense in gating.layers}
-    for part, size in bounds.items():
-        share = float(part.weight.detach().abs().max()) / (6 / size) ** 0.5
-        assert (0.98 if part is layer else 0.9) < share <= 1
-    gates = gating(torch.randn(100, 8))
+def test_gates_are_a_convex_blend():
+    gates = Gating(8, 32, 8, 0.3).eval()(torch.randn(100, 8))
     assert (gates >= 0).all()
     assert_close(gates.sum(-1), torch.ones(100))

@@ -1,4 +1,7 @@
-"""Models of one's own (`toolkit.networks.Predictor`): the four of examples/models."""
+"""Models of one's own (`toolkit.networks.Predictor`): those of examples/models.
+
+tests/docs trains the low-rank one.
+"""
 
 import runpy
 import sys
@@ -14,16 +17,17 @@ from toolkit.networks import Sizes
 from toolkit.training import Config
 
 EXAMPLES = Path(__file__).parents[2] / "examples" / "models"
-NAMES = {"flow-transformer": "local", "vq-codebook": "local", "low-rank": "local", "gru": "none"}
+NAMES = {"flow-transformer": "local", "vq-codebook": "local", "gru": "none"}
 TINY = Sizes(hidden=32, experts=4, gating=8, film_channels=8, film_kernel=5, film_dense=16,
              dropout=0.0)
 
 
 @pytest.fixture(scope="module", params=NAMES)
 def run(request, two_styles):
-    """A model of `NAMES` after 90 steps; later tests of the same process do not know it."""
+    """A model of `NAMES` after 70 steps or more; later tests of the same process do not know it."""
     runpy.run_path(str(EXAMPLES / f"{request.param.replace('-', '_')}.py"), run_name="own")
-    config = Config.quick(model=request.param, steps=90, refit=5, sizes=TINY)
+    steps = 90 if request.param == "gru" else 70
+    config = Config.quick(model=request.param, steps=steps, refit=5, sizes=TINY)
     yield tk.training.fit(two_styles, config)
     del registry._found[f"model.{request.param}"]
 
@@ -34,9 +38,9 @@ def test_it_learns_walks_and_blends(run):
     for row in run.table():
         assert row["error"] < 0.8 * row["mean"]
     half = bank.blend({"Neutral": 0.5, "Zombie": 0.5})
-    clip = tk.runtime.rollout(model, tk.runtime.straight(1.0, 0.5), half)
+    clip = tk.runtime.rollout(model, tk.runtime.straight(1.0, 0.2), half)
     assert clip.global_positions.isfinite().all()
-    together, alone = ([*tk.runtime.states(model, tk.runtime.straight(1.0, 0.1), style)][-1]
+    together, alone = ([*tk.runtime.states(model, tk.runtime.straight(1.0, 0.05), style)][-1]
                        for style in (bank.vectors, bank["Zombie"]))
     torch.testing.assert_close(together.joints[1:], alone.joints, atol=1e-3, rtol=1e-3)
 

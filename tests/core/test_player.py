@@ -42,11 +42,10 @@ def test_outside_of_a_notebook_playing_gives_a_strip(clip, other):
     assert [axes.texts[0].get_text() for axes in figure.axes] == ["data", "model"]
 
 
-def test_a_page_without_a_kernel_gets_a_picture_and_a_line(clip, monkeypatch):
+def test_a_page_without_a_kernel_gets_a_picture_and_a_line(clip, fast, monkeypatch):
     shown = []
     monkeypatch.setattr("toolkit.view.frontend.display", shown.append)
-    model, bank = tk.pretrained()
-    widgets = (view.Player(clip), view.Controller(model, bank), view.Director(model, bank))
+    widgets = (view.Player(clip), view.Controller(*fast), view.Director(*tk.pretrained()))
     for widget in widgets:
         assert "application/vnd.jupyter.widget-view+json" in str(widget._repr_mimebundle_())
         text = shown.pop().data

@@ -1,5 +1,4 @@
 import sys
-import time
 from types import SimpleNamespace
 
 import pytest
@@ -39,15 +38,6 @@ def test_a_bar_that_is_updated_by_hand_counts_once(capsys, clock):
     assert 4 <= len(shown) <= 8
     assert "100%" in shown[-1]
     assert len(set(shown)) == len(shown)
-
-
-def test_a_terminal_gets_one_line_that_changes(capsys, monkeypatch):
-    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
-    for _ in progress_bar(range(3), desc="train"):
-        time.sleep(0.11)
-    text = capsys.readouterr().err
-    assert text.count("\r") >= 2
-    assert text.count("\n") == 1
 
 
 def test_a_notebook_gets_the_bar_of_notebooks(capsys, monkeypatch):

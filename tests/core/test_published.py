@@ -46,7 +46,7 @@ def direct(folder, x, phases, index):
 
 def test_outputs_equal_the_equations_in_float64(published, walk, shared):
     model, bank = published
-    rows = tk.features.frames(walk.cut(340, 473))  # of frames 400 to 411
+    rows = tk.features.frames(walk.cut(340, 456))  # of five frames
     for style in ("Neutral", "Zombie", "WildArms"):
         index = bank.names.index(style)
         expected = torch.stack([direct(shared / "lpn_film_100style", x, p, index)
@@ -74,12 +74,12 @@ def test_one_step_ahead_of_real_motion(published, walk):
     for found in (own, calibrated):
         assert min(found["contact_correlation"]) >= 0.91
         assert found["phase_error"] <= 0.20
-    for other in ("Zombie", "Aeroplane"):
-        wrong = tk.published.one_step(model, bank, walk, style=other, frames=(327, 1200))
-        assert wrong["joint_mse"] >= 5 * own["joint_mse"]
+    wrong = tk.published.one_step(model, bank, walk, style="Zombie", frames=(327, 1200))
+    assert wrong["joint_mse"] >= 5 * own["joint_mse"]
 
 
 def test_styles_have_the_published_speeds(published):
+    assert published.table() == []  # nor are their errors
     _, bank = published
     assert bank.speed("Neutral") == pytest.approx(0.62, abs=0.005)
     known = [bank.speed(name) for name in tk.published.STYLES[:95]]
@@ -93,7 +93,7 @@ def test_all_styles_but_drunk_walk_upright_with_toes_that_stand(published):
     """At one metre a second; toes in contact of ten styles move by 0.5 cm/s (the median)."""
     model, bank = published
     model = runtime.compile(model)
-    others = [i for i, name in enumerate(bank.names) if i % 5 == 0 and name != "Drunk"]
+    others = range(0, 100, 10)
     hips = model.layout.names.index("Hips")
     run = list(runtime.states(model, runtime.straight(1.0, 6.0), bank.vectors[others]))
     for state in run:
@@ -104,7 +104,7 @@ def test_all_styles_but_drunk_walk_upright_with_toes_that_stand(published):
     walked = (run[-1].root[:, :2] - run[0].root[:, :2]).norm(dim=-1)
     assert walked.min() > 6 * 0.35
     skates = []
-    for i in range(0, 20, 2):
+    for i in range(10):
         clip = runtime.record(model, run[240:], character=i)
         contacts = torch.stack([state.contacts[i] for state in run[240:]])
         skates.append(tk.metrics.feet(clip, contacts)["skate"])

@@ -40,19 +40,6 @@ def test_every_sided_joint_has_its_counterpart(skeletons):
                 assert swapped in skeleton.names[other]
 
 
-@pytest.mark.parametrize(("name", "side", "part"), [
-    ("lfemur", "left", "hip"), ("L5", "", None), ("lefthand", "left", "hand"),
-    ("upperarm_twist_01_r", "right", None), ("RThumb", "right", "finger"),
-    ("ik_foot_l", "left", None), ("rig|b_l_ball_jnt", "left", "toe"),
-    ("J_Bip_R_LowerArm", "right", "elbow"), ("", "", None), ("LeftForeArmRoll", "left", None),
-    ("LeftArmJoint", "left", "shoulder"),
-])
-def test_names_state_side_and_part(name, side, part):
-    found = role_words.read(name)
-    assert found.side == side
-    assert (part in found.parts) if part else not found.parts
-
-
 def limbs(*chains: tuple[str, ...]) -> tuple[list[str], list[int]]:
     """Names and parents of hips with chains on both sides; a name that stands twice is one."""
     names, parents = ["Hips"], [-1]

@@ -1,8 +1,7 @@
-"""Springs follow their differential equation; inertialisation leaves no jump."""
+"""Springs follow their differential equation."""
 
 import pytest
 import torch
-from course.springs import inertialise
 
 from toolkit.motion.springs import spring
 
@@ -18,12 +17,3 @@ def test_spring_solves_its_equation_and_is_free_of_the_time_step(rate):
     (_, before), (x1, v1), (_, after) = (spring(x, v, rate, 0.3 + k * h) for k in (-1, 0, 1))
     expected = -2 * rate * v1 - rate**2 * x1
     torch.testing.assert_close((after - before) / (2 * h), expected, rtol=1e-4, atol=1e-4)
-
-
-def test_inertialise_continues_value_and_velocity_and_ends_in_the_new_motion():
-    t = torch.arange(120, dtype=torch.float64) / 60
-    old, new = torch.sin(3 * t), 2 + torch.cos(5 * t)
-    made = torch.cat((old, inertialise(old, new, 60.0, 12.0)))
-    assert made.diff().abs().max() < 0.3 < 1.0 < torch.cat((old, new)).diff().abs().max()
-    assert made.diff().diff()[118:120].abs().max() < 0.05  # nor does the velocity
-    assert (made[-1] - new[-1]).abs() < 1e-3

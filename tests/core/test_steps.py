@@ -110,11 +110,8 @@ def test_stances_do_not_depend_on_the_unit_the_place_or_the_side(walk_clip):
     assert (slow - right[::5][: len(slow)]).abs().mean() < 0.1
 
 
-def test_a_leg_is_as_long_as_its_bones(walk_clip):
+def test_a_leg_without_bones_is_refused(walk_clip):
     skeleton = walk_clip.skeleton
-    left, right = (steps.leg_length(skeleton, f"{side}_foot") for side in ("left", "right"))
-    assert 0.9 < left < 1.2
-    assert right == pytest.approx(left)
     roles = {**skeleton.roles, "left_hip": skeleton.roles["right_hip"]}
     mixed = replace(skeleton, roles=roles)
     with refusal(r"left_foot: 0 m of bones from .*; check the roles"):

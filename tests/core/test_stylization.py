@@ -9,7 +9,6 @@ from itertools import product
 
 import pytest
 import torch
-from course import halves
 from hypothesis import given
 from refusal import refusal
 from strategies import clips, human, human_clip
@@ -135,20 +134,6 @@ def test_mirror_images_keep_their_take_and_exchange_left_and_right():
     left, right = map(found.skeleton.names.index, ("LeftHand", "RightHand"))
     mirrored = found.x[0, :3, :, right] * torch.tensor([-1.0, 1, 1])[:, None]
     assert_close(found.x[1, :3, :, left], mirrored)
-
-
-def test_a_split_parts_no_take(walks):
-    many = [clip.cut(start, start + 70) for clip in walks for start in (0, 30, 60, 90)]
-    first, second = halves.split(st.build(many, mirror=True), 0.5, seed=1)
-    assert not set(first.take.tolist()) & set(second.take.tolist())
-    assert len(second.take.unique()) == len(first.take.unique()) == 8
-    for part in (first, second):
-        kinds = set(zip(part.domain.tolist(), part.content.tolist(), strict=True))
-        assert kinds == {(0, 0), (0, 1), (1, 0), (1, 1)}
-    # what is chosen of a domain does not depend on the other one
-    own = [clip for clip in many if clip.style == second.domains[1]]
-    alone = halves.split(st.build(own, mirror=True), 0.5, seed=1)[1]
-    assert torch.equal(alone.x[:, :3], second.select(second.domain == 1).x[:, :3])
 
 
 def test_z_scores_do_not_depend_on_a_quaternions_sign(motions):
@@ -322,35 +307,19 @@ def test_training_goes_on_from_a_checkpoint_as_if_it_had_not_stopped(motions, tm
         st.fit(motions, dataclasses.replace(config, iterations=9), path)
     with refusal("had other data"):
         st.fit(motions.select(motions.take < 3), config, path)
+    tensors, parts = model_files.read(path, "stylization_checkpoint")
+    parts["stylization_checkpoint"]["sums"] = {"id": [1.0]}
+    model_files.write(path, tensors, parts)
+    damaged = f"{path}: the checkpoint is damaged (its sums is {{'id': [1.0]}}"
+    with refusal(re.escape(damaged)):
+        st.fit(motions, config, path)
 
 
-@pytest.fixture(scope="module")
-def parts(motions, tmp_path_factory):
-    """Tensors and numbers of a checkpoint."""
-    path = tmp_path_factory.mktemp("whole") / "checkpoint"
-    st.fit(motions, FEW, path)
-    return model_files.read(path, "stylization_checkpoint")
-
-
-FEW = training.Config.quick(sizes=SMALL, batch=2, iterations=3, warm_up=1, log_every=2)
-FIRST = "adam.generator.0.exp_avg"
-
-
-@pytest.mark.parametrize(("name", "value", "why"), [
-    (FIRST, torch.zeros(3), "differs in tensor 0.exp_avg"),
-    ("step", 10**18, "its step is 1000000000000000000 after"),
-    ("elapsed", -1, "its step is 3 after -1 s"),
-    ("history", [3], "its history is [3]"),
-    ("sums", {"id": [1.0]}, "its sums is {'id': [1.0]}"),
-])
-def test_a_checkpoint_that_does_not_fit_is_refused(motions, parts, tmp_path, name, value, why):
-    tensors, numbers = dict(parts[0]), dict(parts[1]["stylization_checkpoint"])
-    (numbers if name in numbers else tensors)[name] = value
-    numbers |= {"config": FEW.fixed()}
-    model_files.write(tmp_path / "checkpoint", tensors, {"stylization_checkpoint": numbers})
-    with refusal(re.escape(why)) as error:
-        st.fit(motions, FEW, tmp_path / "checkpoint")
-    assert str(error.value).startswith(f"{tmp_path / 'checkpoint'}: the checkpoint is damaged (")
+def test_training_ends_when_its_time_is_spent(motions):
+    config = training.Config.quick(sizes=SMALL, batch=2, seconds=2.0, warm_up=0, log_every=1)
+    ticks = iter(range(10**6))  # a second more whenever the clock is read
+    run = st.fit(motions, config, clock=lambda: float(next(ticks)))
+    assert [row["elapsed"] for row in run.history] == [1.0, 2.0]
 
 
 def test_noise_trains_g_e_and_f_and_references_train_g_and_e(motions, monkeypatch):
@@ -373,15 +342,6 @@ def test_noise_trains_g_e_and_f_and_references_train_g_and_e(motions, monkeypatc
     assert ["r1" in row for row in run.history] == [False, False, True, False, True]
 
 
-def test_training_ends_when_its_time_is_spent(motions):
-    config = training.Config.quick(
-        sizes=SMALL, batch=2, iterations=1000, seconds=3.0, warm_up=0, log_every=1
-    )
-    ticks = iter(range(10**6))  # a second more whenever the clock is read
-    run = st.fit(motions, config, clock=lambda: float(next(ticks)))
-    assert [row["elapsed"] for row in run.history] == [1.0, 2.0, 3.0]
-
-
 def test_training_learns_to_rebuild_and_to_tell_apart(motions):
     weights = {"adv": 1.0, "cyc": 10.0, "id": 10.0, "sty": 1.0, "ds": 3.0, "r1": 5.0}
     rates = dict.fromkeys(training.NETWORKS, 1e-3) | {"generator": 1e-2}
@@ -395,12 +355,12 @@ def test_training_learns_to_rebuild_and_to_tell_apart(motions):
 
 
 def test_restyling_keeps_body_path_rate_and_length(walks, model):
-    clip = tk.datasets.procedural.generate("Neutral", seconds=6.0)
+    clip = tk.datasets.procedural.generate("Neutral", seconds=3.0)
     assert clip.skeleton.ends
     made = st.stylize(model, clip, domain="Zombie", seed=3)
     assert (made.fps, len(made), made.style, made.gait) == (60, len(clip), "Zombie", "FW")
-    fast = clip.resample(120).cut(0, 243)
-    assert len(st.stylize(model, fast, domain="Zombie")) == 243
+    fast = clip.resample(120).cut(0, 123)
+    assert len(st.stylize(model, fast, domain="Zombie")) == 123
     assert made.skeleton is clip.skeleton
     assert_close(made.root_positions[:, [0, 2]], clip.root_positions[:, [0, 2]], atol=2e-3, rtol=0)
     assert not torch.allclose(made.global_positions, clip.global_positions, atol=0.05)
@@ -491,7 +451,6 @@ def test_bad_input_is_one_line(walks, model, motions, tmp_path):
         (lambda: st.stylize(model, clip.cut(0, 3), "Zombie"), "pooling needs 4 frames"),
         (lambda: model.translate(torch.zeros(1, 7, 30, 23), torch.zeros(1, 8)), "a multiple of 4"),
         (lambda: model.code_of(torch.zeros(1, 7, 32, 23), "Zombie"), "T >= 64"),
-        (lambda: halves.split(motions, 1.0, 0), "must lie between 0 and 1, got 1"),
         (lambda: training.Config(losses=("adv", "style")), "unknown loss style; known: adv, cyc"),
         (lambda: training.Config(rates={"generator": 1.0}), "rates must be numbers from 0"),
         (lambda: st.fit(motions.select(motions.domain == 0), few), "no motion of Zombie"),

@@ -215,22 +215,22 @@ def test_a_style_too_short_for_clips_of_its_own_is_doubted():
 
 
 def test_features_of_a_list_have_its_parts():
-    clips = tk.datasets.procedural.load(["Zombie", "Neutral", "Old"], ["FW", "FR"], 12.0)
+    clips = tk.datasets.procedural.load(["Zombie", "Neutral", "Old"], ["FW", "FR"], 9.0)
     block = tk.datasets.blocks.Block
-    trained = [block("Zombie", "FW", 100, 400), block("Zombie", "FR", 10, 700),
-               block("Neutral", "FW", 0, 720), block("Neutral", "FR", 0, 720)]
-    tested = [block("Zombie", "FW", 520, 9999), block("Old", "FW", 0, 720)]
-    parts = tk.datasets.blocks.Split("made", trained, [block("Zombie", "FR", 800, 820)], tested,
+    trained = [block("Zombie", "FW", 100, 400), block("Zombie", "FR", 10, 520),
+               block("Neutral", "FW", 0, 540), block("Neutral", "FR", 0, 540)]
+    tested = [block("Zombie", "FW", 520, 9999), block("Old", "FW", 0, 540)]
+    parts = tk.datasets.blocks.Split("made", trained, [block("Zombie", "FR", 620, 640)], tested,
                                      unseen=("Old",))
     data = splits.listed(clips, parts, source="contact")
     assert data.styles == ["Neutral", "Zombie"]
     train, test = splits.split(data, 0.3, 5, ("Zombie", "Neutral"))  # share and seed do not matter
     sizes = {style: len(x) for style, x in test.inputs.items()}
-    assert sizes == {"Zombie": 720 - 420 - 112 + 1, "Neutral": 0}
-    assert len(train.inputs["Zombie"]) == 300 + 690 - 2 * 111
+    assert sizes == {"Zombie": 540 - 420 - 112 + 1, "Neutral": 0}
+    assert len(train.inputs["Zombie"]) == 300 + 510 - 2 * 111
     joints = data.layout.inputs["joints"]
     walk = next(c for c in clips if (c.style, c.gait) == ("Zombie", "FW"))
-    last = tk.features.build(walk.cut(420, 720), source="contact")  # it begins at frame 520
+    last = tk.features.build(walk.cut(420, 540), source="contact")  # it begins at frame 520
     assert_close(test.inputs["Zombie"][:, joints], last.inputs["Zombie"][:, joints])
     assert not poses(train.clips["Zombie"]) & poses(test.inputs["Zombie"][:, joints])
     run = training.fit(data, quick(steps=2, clips_per_batch=1))
@@ -250,12 +250,6 @@ def test_loss_is_mse_and_bone_length_of_equation_5():
             for z in (predicted, target))
     lengths = [z[..., :3].diff(dim=1).norm(dim=-1) for z in rows]  # of a chain of joints
     assert_close(bone, functional.l1_loss(*lengths))
-
-
-def test_without_held_out_frames_there_are_no_errors():
-    run = training.fit(waves(styles=1), quick(steps=2, held_out=0.0))
-    assert run.held_out == run.baselines == {}
-    assert run.history[-1]["held_out"] is None
 
 
 def test_it_learns_more_than_both_baselines():
@@ -315,12 +309,12 @@ def test_ctrl_c_after_the_last_step_leaves_a_checkpoint(tmp_path):
 SCRIPT = """
 import json, sys
 import torch
-from test_training import waves
 from toolkit import training
 
 if __name__ == "__main__":
     torch.set_num_threads(1)
-    run = training.fit(waves(), training.Config.from_json(json.loads(sys.argv[1])))
+    data = torch.load(sys.argv[3], weights_only=False)
+    run = training.fit(data, training.Config.from_json(json.loads(sys.argv[1])))
     if training.distributed.first():
         run.save(sys.argv[2])
 """
@@ -331,11 +325,12 @@ def test_two_processes_equal_one_without_dropout(tmp_path):
     config = quick(steps=6, sizes=WIDER, batch=15, clips_per_batch=5, evaluate_every=1)
     alone = training.fit(waves(), config)
     two = replace(config, processes=2)
-    program, here, path = tmp_path / "train.py", Path(__file__).parents, tmp_path / "run"
+    program, path, data = tmp_path / "train.py", tmp_path / "run", tmp_path / "data"
     program.write_text(SCRIPT)
-    call = [sys.executable, program, json.dumps(asdict(two)), path]
-    settings = {"PYTHONPATH": os.pathsep.join(str(here[i]) for i in range(3)),
-                "PYTHONWARNINGS": "error", "OMP_NUM_THREADS": "1"}
+    torch.save(waves(), data)
+    call = [sys.executable, program, json.dumps(asdict(two)), path, data]
+    settings = {"PYTHONPATH": str(Path(__file__).parents[2]), "PYTHONWARNINGS": "error",
+                "OMP_NUM_THREADS": "1"}
     subprocess.run(call, env=os.environ | settings, check=True, timeout=600)
     together = training.load(path)
     losses, same = ([row["loss"] for row in run.history] for run in (alone, together))
@@ -387,28 +382,30 @@ def test_only_several_processes_need_lightning_fabric(monkeypatch):
     needed = r'^several processes need the extra "scale": pip install "\.\[scale\]"$'
     with pytest.raises(ImportError, match=needed):
         fit(processes=2)
-    assert len(fit(steps=2).history) == 1
+    run = fit(steps=2, held_out=0.0)
+    assert (run.held_out, run.baselines, run.history[-1]["held_out"]) == ({}, {}, None)
     with refusal(r"^1 × 'cuda:99': .+$"):
         fit(device="cuda:99")
 
 
 def test_it_stops_early_with_the_best_weights_also_after_a_resume(tmp_path):
     config = quick(steps=400, rate=0.2, final_rate=1.0, evaluate_every=5, patience=3)
-    whole = training.fit(waves(), config)
+    data = waves()
+    whole = training.fit(data, config)
     errors = [row["held_out"] for row in whole.history]
     assert len(errors) < 80
     assert min(errors) == errors[-4] < min(errors[-3:])
     best = replace(config, patience=None, steps=whole.history[-4]["step"])
-    assert same_weights(whole.model, training.fit(waves(), best).model)
+    assert same_weights(whole.model, training.fit(data, best).model)
     path, late = tmp_path / "checkpoint", whole.history[-1]["step"] - 7
     with pytest.raises(KeyboardInterrupt), after_steps(lambda step: step == late and interrupt()):
-        training.fit(waves(), config, path)
+        training.fit(data, config, path)
     for _ in range(2):  # the second time it is finished already
-        resumed = training.fit(waves(), config, path)
+        resumed = training.fit(data, config, path)
         assert same_weights(whole.model, resumed.model)
         assert [row["held_out"] for row in resumed.history] == errors
     with refusal("to resume differs in patience: expected 4, got 3"):
-        training.fit(waves(), replace(config, patience=4), path)
+        training.fit(data, replace(config, patience=4), path)
     with refusal(r"held_out=0\.0001 leaves none of these data"):
         fit(patience=3, held_out=1e-4)
 
@@ -450,14 +447,11 @@ FIRST, BEST = "adam.model.0.exp_avg", "best.experts.layers.0.weight"
 @pytest.mark.parametrize(("name", "value", "why"), [  # of a tensor, or of the run's numbers
     (FIRST, lambda t: t[:1], "differs in tensor 0.exp_avg"),
     (FIRST, lambda t: t * math.nan, f"{FIRST} has numbers that are not finite"),
-    ("adam.model.99.exp_avg", lambda t: torch.zeros(2), "differs in tensor 99.exp_avg"),
     ("adam.model.3.step", lambda t: t * 0, "parameter 3 has a step below 1 or a negative"),
     (BEST, lambda t: t[:, 1:], "differs in tensor experts.layers.0.weight"),
     ("step", lambda _: 10**18, "its step is 1000000000000000000 after"),
-    ("processor", lambda _: "x", "its processor is 'x'"),
     ("losses", lambda _: {"loss": None}, "its losses is {'loss': None}"),
     ("step", lambda _: 7, "the moments of Adam are those of step 6"),
-    ("step", lambda _: None, "'step' is missing"),
     ("elapsed", lambda _: -1.0, "its step is 6 after -1.0 s"),
     ("history", lambda _: [{"step": 1}], "'held_out' is missing"),
 ])
@@ -466,8 +460,7 @@ def test_a_checkpoint_that_does_not_fit_the_run_is_refused(tmp_path, parts, name
     tensors, numbers = dict(parts[0]), dict(parts[1]["checkpoint"])
     path, config = tmp_path / "checkpoint", quick(steps=6, patience=9, evaluate_every=3)
     part = numbers if name in numbers else tensors
-    if (changed := value(part.pop(name, None))) is not None:
-        part[name] = changed
+    part[name] = value(part[name])
     model_files.write(path, tensors, {"model": parts[1]["model"],
                                       "checkpoint": {"config": config.fixed()} | numbers})
     with refusal(re.escape(why)) as error:
@@ -517,7 +510,8 @@ def test_unknown_style_and_divergence_are_named():
 def test_the_recorded_model_lies_beside_the_package(tmp_path, monkeypatch):
     model, bank = tk.pretrained("recorded")
     assert {"proud", "tired", "normal"} <= set(bank)
-    walk = tk.runtime.rollout(model, tk.runtime.straight(1.1, 2.0), bank["normal"])
+    fast = tk.runtime.compile(model)
+    walk = tk.runtime.rollout(fast, tk.runtime.straight(1.1, 2.0), bank["normal"])
     assert tk.metrics.upright(walk)
     assert tk.metrics.speed(walk.cut(60)) == pytest.approx(1.1, abs=0.15)
     with refusal("no model 'real': procedural or recorded"):

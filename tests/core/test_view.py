@@ -5,7 +5,6 @@ from itertools import pairwise
 import numpy as np
 import pytest
 import torch
-from course.looping import loop
 from PIL import Image
 from refusal import refusal
 from scipy.spatial import cKDTree
@@ -14,7 +13,7 @@ from toolkit import view
 from toolkit.datasets.procedural import SKELETON
 from toolkit.motion import Clip, Skeleton, rotations as R
 from toolkit.view.pages import page
-from toolkit.view.render import mannequin as body, opengl, picture, stage
+from toolkit.view.render import mannequin as body, picture, stage
 
 #: What would ask a server.
 ASKS = r"""(?:src|href)\s*=\s*["']?\s*(?:https?:)?//|url\(\s*["']?https?:|@import|fetch\(["']http"""
@@ -114,35 +113,6 @@ def test_skin_is_the_sum_of_what_each_joint_does(clip):
         )
         np.testing.assert_allclose(points[v], expected, atol=1e-5)
     np.testing.assert_allclose(np.linalg.norm(normals, axis=1), 1, atol=1e-5)
-
-
-@pytest.mark.parametrize("by", [1.0, 0.5])
-def test_a_part_is_a_row_of_balls_closed_and_faces_outwards(by):
-    """A rounded cone is the union of the balls between its ends, pressed flat."""
-    start, end, thin = np.random.default_rng(0).uniform(-0.25, 0.25, (3, 3))
-    radii = 0.11, 0.05
-    points, normals, triangles, light = body.Part(0, start, end, radii, "left", thin, by).mesh(24)
-    h = np.linspace(0, 1, 3000)[:, None]
-    centres, radius = start + h * (end - start), radii[0] + h[:, 0] * (radii[1] - radii[0])
-    axis = (end - start) / np.linalg.norm(end - start)
-    flat = thin - axis * (axis @ thin)
-    flat /= np.linalg.norm(flat)
-    away = points[:, None] - centres
-    away = away + (1 / by - 1) * (away @ flat)[..., None] * flat
-    assert np.abs((np.linalg.norm(away, axis=-1) - radius).min(1)).max() < 1e-4
-    a, b, c = points[triangles].transpose(1, 0, 2)
-    across = np.cross(b - a, c - a)
-    solid = np.linalg.norm(across, axis=1) > 1e-9  # those at the poles have no area
-    assert (np.einsum("ti,ti->t", across, normals[triangles].mean(1))[solid] > 0).all()
-    np.testing.assert_allclose(np.linalg.norm(normals, axis=1), 1)
-    # by Gauss the area vectors of a closed surface sum to 0, and its volume is that of the balls
-    np.testing.assert_allclose(across.sum(0), 0, atol=1e-12)
-    cone = np.pi * np.linalg.norm(end - start) * (radii[0] ** 2 + radii[1] ** 2
-                                                  + radii[0] * radii[1]) / 3
-    ends = 2 / 3 * np.pi * (radii[0] ** 3 + radii[1] ** 3)
-    volume = np.einsum("ti,ti->t", a, np.cross(b, c)).sum() / 6
-    assert 0.9 < volume / (by * (cone + ends)) < 1.05
-    assert 0.99 < light.max() <= 1
 
 
 def test_any_tree_gets_a_body():
@@ -267,19 +237,6 @@ def test_a_stage_shows_points_where_its_camera_sees_them(drawer, clip):
         np.testing.assert_allclose(seen, [100 + middle[0], 80 - middle[1]], atol=7)
 
 
-def test_lines_on_the_floor_cross_where_they_say():
-    lines = stage.Lines(3.0, 0.7, (0.8, 0.5), np.array([0.3, 0.0, -0.2]))
-    turn = stage.axes(0.7, 0.0)
-    for point in np.random.default_rng(0).uniform(-5, 5, (20, 3)):
-        crossing = lines.crossing(point)
-        steps = turn @ (crossing - lines.start) / [0.5, 1.0, 0.8]
-        np.testing.assert_allclose(steps, np.round(steps), atol=1e-9)
-        assert crossing[1] == 0
-        assert (np.abs(turn @ (crossing - point))[[0, 2]] <= [0.2501, 0.4001]).all()
-    lengths = np.linalg.norm(np.diff(lines.segments(), axis=1), axis=-1).round(6)
-    assert set(np.unique(lengths)) == {0.5, 0.8}
-
-
 def test_poses_of_a_strip_show_different_parts_of_a_stride(clip):
     """A stride is 60 frames; at equal times, all poses of six seconds would be alike."""
     at = picture.instants(walk(361), 7)
@@ -292,22 +249,7 @@ def test_poses_of_a_strip_show_different_parts_of_a_stride(clip):
         view.strip(clip, frames=0)
 
 
-def test_missing_opengl_is_explained_once(clip, monkeypatch, capsys):
-    monkeypatch.setattr(stage, "opengl_works", lambda: False)
-    stage.explain_missing_opengl.cache_clear()
-    for _ in range(2):
-        view.strip(clip, frames=1, dpi=20)
-    assert capsys.readouterr().out.count(opengl.INSTALL) == 1
-
-
 # moving pictures
-
-
-def test_a_loop_is_whole_strides():
-    long = walk(400)
-    start, stop = loop(long)
-    assert stop - start == pytest.approx(120, abs=2)
-    assert loop(walk(20)) == (0, 20)
 
 
 def test_an_animation_plays_at_the_clips_speed(clip, tmp_path):
@@ -328,6 +270,7 @@ def test_an_animation_plays_at_the_clips_speed(clip, tmp_path):
 
 def test_a_film_is_one_that_browsers_play(clip, tmp_path):
     av = pytest.importorskip("av", reason="films need PyAV: pip install av")
+    clip = clip.cut(0, 30)
     path = view.animate(clip, tmp_path / "walk.mp4", height=141, fps=30, labels=[""])
     view.animate(clip, tmp_path / "walk.png", height=141, fps=30, labels=[""])
     with av.open(str(path)) as film, Image.open(tmp_path / "walk.png") as picture:
@@ -337,8 +280,8 @@ def test_a_film_is_one_that_browsers_play(clip, tmp_path):
         )
         assert (stream.width, stream.height) == (picture.width // 2 * 2, 140)
         frames = [frame.to_ndarray(format="rgb24").astype(int) for frame in film.decode(stream)]
-        assert len(frames) == picture.n_frames == 30
-        for k in (0, 29):
+        assert len(frames) == picture.n_frames == 15
+        for k in (0, 14):
             picture.seek(k)
             wanted = np.asarray(picture.convert("RGB")).astype(int)[:140, : stream.width]
             errors = [np.abs(frame - wanted).mean() for frame in frames]

@@ -190,7 +190,7 @@ def test_a_crowd_starts_as_pythons_and_walks_its_rings(node, trained, tmp_path):
         kernel.on("msg:custom", ({ kind }, [poses]) => {
             if (kind === "others") result.drawn = poses.length;
         });
-        for (let i = 0; i < 150; i++) kernel.step();
+        for (let i = 0; i < 100; i++) kernel.step();
         kernel.show();
         result.roots = kernel.others.map(({ character }) => [...character.root]);
         result.user = [...kernel.character.root];
@@ -245,10 +245,10 @@ def test_many_at_once_walk_as_each_alone_with_and_without_webassembly(node, smal
         assert np.abs(np.array(seen[kind]) - expected[: len(seen[kind])]).max() < 1e-8, kind
 
 
-def test_the_kernel_in_a_page_does_what_a_notebooks_does(node, trained, tmp_path):
+def test_the_kernel_in_a_page_does_what_a_notebooks_does(node, trained, fast, tmp_path):
     """Keys, stick, marker and recording, against `toolkit.view.Controller`."""
     model, bank = trained
-    control = view.Controller(model, bank, styles=["Neutral", "Zombie", "Aeroplane"])
+    control = view.Controller(*fast, styles=["Neutral", "Zombie", "Aeroplane"])
     control.send = lambda content, buffers: sent.append(np.frombuffer(buffers[0], np.float32))
     sent, data = [], live_page.pack(model, bank.select(["Neutral", "Zombie", "Aeroplane"]))
     wishes = [

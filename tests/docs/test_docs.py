@@ -65,6 +65,12 @@ def command_line(typed: str):
     return (experiments, rest) if first == "experiments" else (verbs, [first, *rest])
 
 
+def blocks(page: Path, of: str = "python") -> list[str]:
+    """The blocks of code on a page."""
+    return re.findall(rf"^```{of}\n(.*?)^```", page.read_text(encoding="utf-8"),
+                      re.MULTILINE | re.DOTALL)
+
+
 def pattern(said: str) -> str:
     return ".*".join(re.escape(part) for part in said.split("…"))
 
@@ -98,15 +104,11 @@ def test_the_code_of_a_page_runs(page, tmp_path, monkeypatch):
     gate.write_text(json.dumps(scene | {"shots": two}), encoding="utf-8")
     monkeypatch.setattr("toolkit.extra.shots.scene.TRIED", 30)  # frames of a style that is tried
     monkeypatch.chdir(tmp_path)
-    text = (DOCS / f"{page}.md").read_text(encoding="utf-8")
     long, short = SHORTER.get(page, ("", ""))
-    assert long in text
-    text = text.replace(long, short)
-    blocks = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
-    assert blocks
-    space: dict = {"__name__": page}
-    for block in blocks:
-        exec(compile(block, f"{page}.md", "exec"), space)
+    code = "".join(blocks(DOCS / f"{page}.md"))
+    assert code
+    assert long in code
+    exec(compile(code.replace(long, short), f"{page}.md", "exec"), {"__name__": page})
 
 
 @pytest.mark.filterwarnings("ignore:style 'MyStyle' is too short")
@@ -114,8 +116,7 @@ def test_the_code_of_the_readme_runs(tmp_path, monkeypatch):
     """As written, but for the length of the walk, of the data and of the trainings."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("toolkit.styles.fine_tuning.WALK", (1.0, 0.2))
-    text = (DOCS.parent / "README.md").read_text(encoding="utf-8")
-    code = "".join(re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL))
+    code = "".join(blocks(DOCS.parent / "README.md"))
     for long, short in (("seconds=10", "seconds=1"), ("seconds=90", "steps=3"),
                         ('"Strut"]', '"Strut"], gaits="FW", seconds=6'),
                         ("bank=bank)", "bank=bank, steps=3)")):
@@ -148,10 +149,8 @@ def test_every_command_of_the_reproduction_exists():
 
 
 def test_every_page_and_notebook_is_in_the_tree_of_contents():
-    text = (DOCS / "index.md").read_text(encoding="utf-8")
-    trees = re.findall(r"^```\{toctree\}\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
-    listed = [line for tree in trees for line in tree.splitlines() if line
-              and not line.startswith(":")]
+    listed = [line for tree in blocks(DOCS / "index.md", r"\{toctree\}")
+              for line in tree.splitlines() if line and not line.startswith(":")]
     assert len(set(listed)) == len(listed)
     pages = {path.stem for path in PAGES} - {"index"}
     assert {name for name in listed if "/" not in name} == pages

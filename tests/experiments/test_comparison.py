@@ -10,17 +10,10 @@ import toolkit as tk
 from experiments.__main__ import main
 from experiments.seven_models import load, models
 
-STYLES = "Neutral,PendulumHands,Zombie"
 MODELS = ("lpn-film",)
 PLAN = models.Plan("tiny", 4, walk=4.0, radius=0.1, recogniser_steps=5)
-SOURCE = {
-    "data": "procedural",
-    "root": None,
-    "styles": STYLES,
-    "gaits": "FW",
-    "clip_seconds": 8.0,
-    "listed": False,
-}
+SOURCE = {"data": "procedural", "root": None, "styles": "Neutral,PendulumHands,Zombie",
+          "gaits": "FW", "clip_seconds": 8.0, "listed": False}
 
 
 @pytest.fixture(scope="module")
@@ -50,17 +43,13 @@ def test_everything_is_measured_and_stored(data, folder):
     assert row["hands_data"] > models.MOVING
     assert row["swing_data"] > 0.8  # there both hands swing together
     assert all(math.isfinite(v) for v in row.values())
-    assert film["runs"][0]["shared"] == pytest.approx(
-        sum(s["shared"] for s in film["runs"][0]["styles"].values()) / 3
-    )
+    shared = [style["shared"] for style in film["runs"][0]["styles"].values()]
+    assert film["runs"][0]["shared"] == pytest.approx(sum(shared) / 3)
 
 
 def test_what_is_there_is_not_done_again(data, folder, monkeypatch):
-    for module, name in (
-        (tk.training, "fit"),
-        (models, "closed_loop"),
-        (tk.evaluation.recognition, "train"),
-    ):
+    for module, name in ((tk.training, "fit"), (models, "closed_loop"),
+                         (tk.evaluation.recognition, "train")):
         monkeypatch.setattr(module, name, None)
     before = models.read_json(folder / models.TABLE)
     again = models.compare(data, SOURCE, PLAN, MODELS, 1, folder)

@@ -1,6 +1,5 @@
 """What judges restyled motion: classifiers, measures, the baselines of Table 2, the comparison."""
 
-
 import pytest
 import torch
 from course import halves
@@ -79,9 +78,8 @@ def test_pasting_the_reference_moves_all_style_and_loses_the_content(motions, ju
 @pytest.fixture(scope="module")
 def task(motions) -> sets.Task:
     parts = {"test": motions, "validation": motions}
-    return sets.Task(
-        motions, parts, parts, {part: {"content": motions, "style": motions} for part in sets.PARTS}
-    )
+    judged = {part: {"content": motions, "style": motions} for part in sets.PARTS}
+    return sets.Task(motions, parts, parts, judged)
 
 
 @pytest.fixture(scope="module")
@@ -109,13 +107,9 @@ def test_a_comparison_has_rows_for_every_method_and_floor(compared, task):
 
 
 def test_no_take_is_in_two_parts():
-    clips = [
-        tk.datasets.procedural.generate(style, gait, 2.3, seed)
-        for style in ("Neutral", "Zombie", "Old")
-        for gait in ("FW", "SW", "FR", "ID")
-        for seed in range(2)
-    ]
-    motions = data.build(clips)
+    styles, gaits = ["Neutral", "Zombie", "Old"], ["FW", "SW", "FR", "ID"]
+    motions = data.build([clip for seed in range(2)
+                          for clip in tk.datasets.procedural.load(styles, gaits, 2.3, seed)])
     task = sets.few_takes(motions, ("Neutral", "Zombie"), {"FW": "walk", "SW": "walk", "FR": "run"})
     assert task.sources["test"].contents == ("run", "walk")
     takes = {part: set(task.references[part].take.tolist()) for part in sets.PARTS}
@@ -126,8 +120,7 @@ def test_no_take_is_in_two_parts():
         assert set(task.sources[part].take.tolist()) <= takes[part]
     many = sets.many_takes(motions)
     parts = [many.train, *many.sources.values(), many.judged["test"]["style"]]
-    assert sum(len(part.take.unique()) for part in parts) == len(
-        torch.cat([part.take for part in parts]).unique()
-    )
+    every = torch.cat([part.take for part in parts]).unique()
+    assert sum(len(part.take.unique()) for part in parts) == len(every)
     with refusal("knows dataset-1, dataset-2, not 'dataset-3'"):
         sets.load("dataset-3")

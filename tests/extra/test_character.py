@@ -1,5 +1,6 @@
 """A character of one's own: read, drawn and written with a motion on it."""
 
+import contextlib
 import dataclasses
 import io
 import math
@@ -102,30 +103,22 @@ def test_other_programs_see_the_motion_on_it(request, tmp_path, kind, zombie):
     seen = seen_by_vtk(tmp_path / "walk.glb", 100 / 60)
     assert seen.shape == points.shape
     assert abs(seen - points).max() < 1e-3
+    poses = zip(made.global_rotations[::10], made.global_positions[::10], strict=True)
+    soles = [character.skin.pose(*pose)[0][:, 1].min() for pose in poses]
+    assert -0.03 < min(soles) < 0.03  # on the floor
     about, _ = motion_files.glb_parts(tmp_path / "walk.glb")
     assert len(about["animations"]) == 1
     if kind != "fbx":
         assert about["materials"] == motion_files.glb_parts(character.path)[0]["materials"]
 
 
-def test_soles_stand_on_the_floor(hero, zombie):
-    character = Character.load(hero)
-    made = character.fitted(zombie)
-    poses = zip(made.global_rotations[::10], made.global_positions[::10], strict=True)
-    low = [character.skin.pose(*pose)[0][:, 1].min() for pose in poses]
-    assert -0.03 < min(low) < 0.03
-
-
-@pytest.mark.parametrize("kind", [stage.Rendered, stage.Painted])
-def test_stages_draw_it_in_place_of_the_mannequin(hero, zombie, kind):
-    if kind is stage.Rendered and not stage.opengl_works():
-        pytest.skip("no OpenGL")
+def test_a_stage_draws_it_in_place_of_the_mannequin(hero, zombie):
     character = Character.load(hero)
     made = character.fitted(zombie)
     tones = np.tile(np.uint8([[0, 200, 0]]), (len(character.points), 1))
     green = dataclasses.replace(character.mesh, colors=tones)
     body = stage.Body(made, figure=dataclasses.replace(character, mesh=green))
-    shown = kind([body], (200, 200), np.array([0.0, 1.0, 0.5]))
+    shown = stage.Painted([body], (200, 200), np.array([0.0, 1.0, 0.5]))
     middle = made.root_positions[40].double().numpy()
     camera = stage.Camera(middle, 0.5, 0.2, 2.4)
     picture = shown.draw([stage.Pose(body, 40)], camera).astype(int)
@@ -154,13 +147,12 @@ def test_a_texture_colours_the_vertices(tmp_path):
     np.testing.assert_allclose(gltf_mesh.read(tmp_path / "painted.glb").colors, expected, atol=1)
 
 
-def test_the_controller_gets_it(hero):
-    model, bank = tk.pretrained()
-    widget = tk.view.Controller(model, bank, character=hero)
+def test_the_controller_gets_it(hero, fast):
+    widget = tk.view.Controller(*fast, character=hero)
     mesh = widget.skeleton["mesh"]
     assert len(mesh["follow"]["rules"]) > 20
     assert mesh["follow"]["scale"] == pytest.approx(0.85, abs=0.01)
-    assert len(widget.skeleton["parents"]) == len(model.layout.skeleton)
+    assert len(widget.skeleton["parents"]) == len(fast[0].layout.skeleton)
     widget.close()
 
 
@@ -180,23 +172,20 @@ def changed(hero, path, change):
     return path
 
 
-def test_a_text_that_json_cannot_hold_is_replaced(hero, tmp_path, zombie):
-    odd = changed(hero, tmp_path / "odd.glb", lambda d: d.update(extras={"planted": "\ud800 half"}))
-    character_gltf.save(zombie, tmp_path / "walk.glb", Character.load(odd))
+def test_a_text_that_json_cannot_hold_is_replaced_and_a_number_said_with_the_file(
+        hero, tmp_path, zombie):
+    for planted in ("\ud800 half", math.nan):
+        odd = changed(hero, tmp_path / "odd.glb", lambda d, x=planted: d.update(extras={"a": x}))
+        saves = contextlib.nullcontext() if isinstance(planted, str) else refusal(
+            r"odd\.glb: its JSON text has NaN or Infinity")
+        with saves:
+            character_gltf.save(zombie, tmp_path / "walk.glb", Character.load(odd))
     about, _ = motion_files.glb_parts(tmp_path / "walk.glb")
-    assert about["extras"] == {"planted": "? half"}
-
-
-@pytest.mark.parametrize("value", [math.nan, math.inf])
-def test_numbers_that_json_cannot_hold_are_said_with_the_file(hero, tmp_path, zombie, value):
-    odd = changed(hero, tmp_path / "odd.glb", lambda d: d.update(extras={"planted": value}))
-    with refusal(r"odd\.glb: its JSON text has NaN or Infinity"):
-        character_gltf.save(zombie, tmp_path / "walk.glb", Character.load(odd))
+    assert about["extras"] == {"a": "? half"}
 
 
 @pytest.mark.parametrize(("change", "problem"), [
     (lambda d: d["nodes"][-1].pop("mesh"), "no skinned mesh"),
-    (lambda d: d.update(nodes=[], skins=[], meshes=[]), "no skinned mesh"),
     (lambda d: d.update(extensionsRequired=["KHR_draco_mesh_compression"]),
      "mesh Mannequin is compressed by KHR_draco_mesh_compression; `npx"),
     (lambda d: d["accessors"][d["skins"][0]["inverseBindMatrices"]].update(count=3),
@@ -207,9 +196,3 @@ def test_numbers_that_json_cannot_hold_are_said_with_the_file(hero, tmp_path, zo
 def test_files_without_a_character_are_refused_in_a_line(hero, tmp_path, change, problem):
     with refusal(rf"bad\.glb: .*{problem}"):
         Character.load(changed(hero, tmp_path / "bad.glb", change))
-
-
-def test_a_file_that_is_cut_off_is_refused(hero, tmp_path):
-    (tmp_path / "cut.glb").write_bytes(hero.read_bytes()[:5000])
-    with refusal(r"cut\.glb: .*cut off"):
-        Character.load(tmp_path / "cut.glb")

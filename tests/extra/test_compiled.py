@@ -1,5 +1,6 @@
 """The compiled runtime against the plain one, which is its definition."""
 
+import copy
 import dataclasses
 
 import numba
@@ -24,6 +25,13 @@ def pretrained():
     return model, runtime.compile(model), bank
 
 
+@pytest.fixture(scope="module")
+def small(pretrained):
+    """A model of two styles, untrained."""
+    sizes = Sizes(hidden=16, experts=3, gating=8)
+    return tk.networks.build("lpn-film", pretrained[0].layout, 2, sizes)
+
+
 def inputs(model, count):
     """Frames, phases and style vectors of ``count`` characters, all different."""
     seeded = torch.Generator().manual_seed(0)
@@ -40,10 +48,10 @@ def commands(frames, count):
 
 
 @pytest.mark.parametrize("sizes", [Sizes(hidden=42, experts=3, gating=7), Sizes(hidden=96)])
-def test_the_network_is_the_models_for_any_size_and_number_of_characters(small_run, sizes):
+def test_the_network_is_the_models_for_any_size_and_number_of_characters(pretrained, sizes):
     """Widths that need padding and those that do not; 131 is more than are computed at once."""
     torch.manual_seed(1)
-    model = tk.networks.build("lpn-film", small_run.model.layout, 2, sizes, generator=False)
+    model = tk.networks.build("lpn-film", pretrained[0].layout, 2, sizes, generator=False)
     with torch.no_grad():
         for layer in model.experts.layers:
             layer.bias.normal_()
@@ -59,7 +67,9 @@ def test_the_network_is_the_models_for_any_size_and_number_of_characters(small_r
 def test_a_step_and_a_pose_equal_the_plain_ones(pretrained):
     model, compiled, bank = pretrained
     state = runtime.start(model, bank.vectors[:9])
-    for number, command in enumerate(commands(50, 9)):
+    for number, command in enumerate(commands(31, 9)):
+        if number % 5 == 3:  # it keeps its facing
+            command = Command(command.velocity, 0 * command.facing)
         before = {name: value.clone() for name, value in vars(state).items()}
         with torch.inference_mode():
             plain = runtime.step(model, state, command)
@@ -72,23 +82,6 @@ def test_a_step_and_a_pose_equal_the_plain_ones(pretrained):
             right, made = (runtime.pose(m, state, **chosen) for m in (model, compiled))
             assert_close(made[0], right[0], atol=1e-4, rtol=0)
             assert_close(made[1], right[1], atol=1e-5, rtol=0)
-
-
-def test_rare_branches_of_a_step_equal_the_plain_ones(pretrained):
-    """Standing, facing zero, a character that is pulled, contacts on and off, hips that sink."""
-    model, compiled, bank = pretrained
-    state = runtime.start(model, bank.vectors[:6], facing=(0.6, -0.8))
-    still = [Command((0.0, 0.0), (0.0, 0.0))] * 5
-    fast_run = [Command((3.0, 0.0), (0.0, 0.0))] * 15
-    for command in [*commands(15, 6), *still, *fast_run, *still]:
-        with torch.inference_mode():
-            state = runtime.step(model, state, command)
-        drop = torch.linspace(0, 0.2, 6)[:, None] * torch.tensor([1.0, -3.0])
-        moved = dataclasses.replace(
-            state, toes=state.toes + torch.linspace(-0.3, 0.3, 18).view(6, 1, 3), drop=drop,
-            drive=state.drive + torch.linspace(-0.9, 9.0, 6)[:, None])
-        plain, fast = (runtime.step(m, moved, command) for m in (model, compiled))
-        assert_close(vars(fast), vars(plain), atol=1e-3, rtol=0)
 
 
 def drawn(state):
@@ -170,10 +163,9 @@ def test_roll_gives_the_same_bits(pretrained):
         assert torch.equal(rolled.joints[k], state.joints[0])
 
 
-def test_bad_input_is_refused(pretrained, small_run):
+def test_bad_input_is_refused(pretrained, small):
     model, compiled, bank = pretrained
-    layout, sizes = small_run.model.layout, Sizes(hidden=16, gating=8)
-    calibrated = tk.networks.build("lpn-film", layout, 2, sizes, generator=False)
+    calibrated = copy.deepcopy(small)
     calibrated.calibrated = True
     with refusal("calibrated model cannot be compiled"):
         runtime.compile(calibrated)
@@ -211,7 +203,7 @@ def test_where_compiled_code_cannot_be_stored_there_is_no_error(monkeypatch):
     assert compilation.compiled()(add)(1, 2) == 3
 
 
-@pytest.mark.parametrize("damage", [b"", b"V\\u\xff\n.", b"I9x\n.", b"\x8a\xff", b"cmath\nnone\n."])
+@pytest.mark.parametrize("damage", [b"", b"cmath\nnone\n."])  # no pickle, and one of what is not
 @pytest.mark.parametrize("suffix", [".nbi", ".nbc"])
 def test_damaged_compiled_code_is_compiled_again_and_stored(damage, suffix, tmp_path, monkeypatch):
     monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path))
@@ -231,18 +223,17 @@ def raised(error):
 @pytest.mark.parametrize(("kept", "frames", "compiles", "words"), [
     (False, 1499, False, 0), (False, 1500, True, 1), (True, 119, False, 0), (True, 120, True, 0),
 ])
-def test_long_work_is_compiled_with_a_word(small_run, monkeypatch, kept, frames, compiles, words):
+def test_long_work_is_compiled_with_a_word(small, monkeypatch, kept, frames, compiles, words):
     said, made = [], object()
     monkeypatch.setattr("toolkit.extra.compiled._kept", lambda kernel: kept)
     monkeypatch.setattr("toolkit.extra.compiled.compile", lambda model: made)
-    found = tk.runtime.quick(small_run.model, frames, said.append)
-    assert found is (made if compiles else small_run.model)
+    found = tk.runtime.quick(small, frames, said.append)
+    assert found is (made if compiles else small)
     assert len(said) == words
-    other = tk.networks.build("pfnn-film", small_run.model.layout, 2, small_run.model.sizes)
+    other = tk.networks.build("pfnn-film", small.layout, 2, small.sizes)
     assert tk.runtime.quick(other, 10_000) is other
 
 
-def test_the_kernels_on_the_disk_are_found(small_run):
-    tk.runtime.compile(small_run.model)
+def test_the_kernels_on_the_disk_are_found(pretrained):
     compiled = tk.runtime.compiled
     assert all(map(compiled._kept, compiled.KERNELS))

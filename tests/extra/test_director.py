@@ -35,15 +35,13 @@ def test_shots_go_in_and_out(desk):
 
 @pytest.mark.parametrize(("changes", "said"), [
     ({"version": 10**400}, "version"), ({"shots": [{}] * 10**5}, "shots"),
-    ({"apart": 1e300}, "apart"), ({"walls": [[0]]}, "walls"),
-    ({"path": [[0, 0]]}, "path: two or more points are needed, got 1"),
-    ({"path": [[[0] * 9] * 9] * 9}, "path"), ({"path": [[0, 0], [10**400, 0]]}, "path"),
+    ({"walls": [[0]]}, "walls"), ({"path": [[[0] * 9] * 9] * 9}, "path"),
     ({"styles": "Nobody"}, "Nobody"), ({"name": "x" * 10**5}, "name"),
 ])
 def test_a_scene_that_is_not_valid_is_refused_in_one_line(desk, changes, said):
     """A message of any page; the kernel keeps the scene that it had."""
     before = json.loads(json.dumps(desk.scene))
-    scene = before | {key: changes[key] for key in changes.keys() & {*before, "apart", "walls"}}
+    scene = before | {key: changes[key] for key in changes.keys() & {*before, "walls"}}
     if scene == before:
         scene["shots"] = [before["shots"][0] | changes]
     with pytest.raises(traitlets.TraitError, match=said) as error:
@@ -56,9 +54,12 @@ def test_a_scene_that_is_not_valid_is_refused_in_one_line(desk, changes, said):
 def test_the_kernel_renders_what_does_not_run_in_a_page(tmp_path):
     model, bank = tk.pretrained()
     other = tk.networks.build("pfnn-film", model.layout, 2, model.sizes)
-    few, vectors = bank.names[:2], torch.zeros(2, other.style_size)
-    shot = Shot([(0, 0), (0, 1)], few[0], name="to the door", duration=0.2)
-    own = Director(other, StyleBank(few, vectors), [shot])
+    few = StyleBank(bank.names[:2], torch.zeros(2, other.style_size))
+    shot = Shot([(0, 0), (0, 1)], few.names[0], name="to the door", duration=0.2)
+    text = director.web(other, few, tmp_path / "desk.html", [shot]).read_text(encoding="utf-8")
+    assert "Recorded shots: the model pfnn-film cannot run in a page." in text
+    assert "to the door" in text
+    own = Director(other, few, [shot])
     assert not {"network", "start"} & own.data.keys()
     for weight in other.parameters():
         weight.data.fill_(float("nan"))
@@ -67,14 +68,6 @@ def test_the_kernel_renders_what_does_not_run_in_a_page(tmp_path):
     assert "takes" not in own.motion
     assert "finite" in own.motion["problem"]
     own.close()
-    # a page plays what Python renders of it
-    few, vectors = bank.names[:2], torch.zeros(2, other.style_size)
-    shot = Shot([(0, 0), (0, 1)], few[0], name="to the door", duration=0.2)
-    other = tk.networks.build("pfnn-film", model.layout, 2, model.sizes)
-    found = director.web(other, StyleBank(few, vectors), tmp_path / "desk.html", [shot])
-    text = found.read_text(encoding="utf-8")
-    assert "Recorded shots: the model pfnn-film cannot run in a page." in text
-    assert "to the door" in text
 
 
 def test_the_command_line_writes_a_page_of_a_file(tmp_path):

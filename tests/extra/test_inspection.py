@@ -8,8 +8,6 @@ from test_interpretation import written
 
 import toolkit as tk
 
-pytestmark = pytest.mark.usefixtures("unchanged")
-
 
 def test_an_inspection_says_all_that_was_found(tmp_path, command):
     path = tmp_path / "walk.bvh"

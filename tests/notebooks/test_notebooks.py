@@ -17,25 +17,16 @@ MAY_DEFINE = "# exercise", "# by hand"
 
 #: What stands before a number that is not a result, such as a section.
 LABEL = re.compile(
-    r"(?:sections?|equations?|figures?|tables?|fig\.|notebooks?|exercises?|chapter|layer|"
-    r"version|dataset|et al\.|"
-    r"\d\d\d\d and|Komura|Lee|Shin|[A-Z]\w+ 20\d\d;)\s*\(?[\d.]+[a-z]?(?:(?:,| and| "
-    r"to|–)\s*[\d.]+[a-z]?)*\)?",
-    re.I,
-)
+    r"(?:sections?|equations?|figures?|tables?|fig\.|notebooks?|exercises?|chapter|layer|version|"
+    r"dataset|et al\.|\d\d\d\d and|Komura|Lee|Shin|[A-Z]\w+ 20\d\d;)\s*"
+    r"\(?[\d.]+[a-z]?(?:(?:,| and| to|–)\s*[\d.]+[a-z]?)*\)?", re.I)
 NUMBER = re.compile(r"(?<![\w.])\d[\d,]*(?:\.\d+)?(?![\w]*\.\d|[a-z]?\.ipynb)")
 #: Words that compare two results.
 COMPARES = re.compile(
-    r"\b(smaller|smallest|larger|largest|better|best|worse|worst|fewer|fewest|wins?|beats?|closest|"
-    r"nearest|higher|highest|"
-    r"lower|lowest|faster|fastest|slower|slowest|longer|longest|shorter|shortest|stronger|"
-    r"weaker|farthest|"
-    r"furthest|twice|"
-    r"about half|more|less|(?<!at )most|the "
-    r"least|almost|nearly|hardly|rises?|grows?|falls?|increases?|decreases?|doubles?|"
-    r"halves|exceeds?|(?:does|do|did) not (?:help|work|move|change)|fails?)\b",
-    re.I,
-)
+    r"\b((?:small|larg|few|high|low|fast|slow|long|short)(?:er|est)|better|best|worse|worst|wins?|"
+    r"beats?|closest|nearest|stronger|weaker|farthest|furthest|twice|about half|more|less|"
+    r"(?<!at )most|the least|almost|nearly|hardly|rises?|grows?|falls?|increases?|decreases?|"
+    r"doubles?|halves|exceeds?|(?:does|do|did) not (?:help|work|move|change)|fails?)\b", re.I)
 #: Headings of sections with recordings or published networks, and what reads them.
 RECORDED = re.compile(r"^## .*(?:[Rr]ecordings|[Pp]ublished)", re.M)
 READS = re.compile(r"(?:datasets|published)\.available\(|labels\.read\(|results/stylisation")
@@ -53,11 +44,10 @@ def notebook(request) -> dict:
     return read(request.param)
 
 
-@pytest.fixture(params=NOTEBOOKS, ids=lambda path: path.stem)
-def lesson(request) -> tuple:
-    """A notebook of the course: its entry in the sequence and its content."""
-    number = request.param.stem.split("_")[0]
-    return course.LESSONS[number], read(request.param)
+@pytest.fixture
+def entry(request, notebook) -> course.Lesson:
+    """What the sequence of the course says of a notebook."""
+    return course.LESSONS[request.node.callspec.params["notebook"].stem.split("_")[0]]
 
 
 @cache
@@ -72,38 +62,28 @@ def code(notebook) -> list[str]:
 
 def prose(notebook) -> list[str]:
     """Sources of the Markdown cells."""
-    return [
-        "".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == "markdown"
-    ]
+    return ["".join(c["source"]) for c in notebook["cells"] if c["cell_type"] == "markdown"]
 
 
 def plain(source: str) -> str:
     """The Python of a cell: lines with a magic or a shell command become empty."""
-    return "\n".join(
-        "" if line.lstrip().startswith(("%", "!")) else line for line in source.splitlines()
-    )
+    return re.sub(r"^[ \t]*[%!].*", "", source, flags=re.M)
+
+
+def nodes(sources: list[str]) -> list[ast.AST]:
+    """Every node of the syntax trees of cells."""
+    return [node for source in sources for node in ast.walk(ast.parse(plain(source)))]
 
 
 def words(text: str) -> str:
-    """Prose without code, formulas, links, pictures, HTML tags, comments, headings, and the minutes
-    of the first cell.
+    """Prose without exercises, code, formulas, comments, links, pictures, HTML tags, headings, the
+    minutes of the first cell, numbers of a list and titles.
     """
     for pattern in (
-        r"^### Exercise.*?(?=^## |\Z)",
-        r"```.*?```",
-        r"`[^`]*`",
-        r"\$\$.*?\$\$",
-        r"\$[^$]*\$",
-        r"<!--.*?-->",
-        r"\[\d\d[ab]?\]\([^)]*\)",
-        r"!\[[^\]]*\]\([^)]*\)",
-        r"(?<=\])\([^)]*\)",
-        r"<[^>]*>",
-        r"^#+ [^\n]*$",
-        r"\*\*Time:\*\* about \d+ minutes",
-        r"^\s*\d+\.\s",
-        r"\*[A-Z][^*\n]*\*",
-    ):
+            r"^### Exercise.*?(?=^## |\Z)", r"```.*?```", r"`[^`]*`", r"\$\$.*?\$\$", r"\$[^$]*\$",
+            r"<!--.*?-->", r"\[\d\d[ab]?\]\([^)]*\)", r"!\[[^\]]*\]\([^)]*\)",
+            r"(?<=\])\([^)]*\)", r"<[^>]*>", r"^#+ [^\n]*$", r"\*\*Time:\*\* about \d+ minutes",
+            r"^\s*\d+\.\s", r"\*[A-Z][^*\n]*\*"):
         text = re.sub(pattern, " ", text, flags=re.S | re.M)
     return text
 
@@ -114,37 +94,27 @@ def numbers(text: str) -> set[float]:
 
 def calls(notebook, *names: str) -> list[ast.Call]:
     """Calls of functions of the course in the code cells."""
-    nodes = (node for source in code(notebook) for node in ast.walk(ast.parse(plain(source))))
-    return [node for node in nodes if isinstance(node, ast.Call) and ast.unparse(node.func) in
-            {f"course.{name}" for name in names}]
+    return [node for node in nodes(code(notebook)) if isinstance(node, ast.Call)
+            and ast.unparse(node.func) in {f"course.{name}" for name in names}]
 
 
-def literals(nodes) -> set[float]:
+def literals(trees) -> set[float]:
     """Numbers that are written in code, also as percent of a share."""
-    found = {
-        float(n.value)
-        for node in nodes
-        for n in ast.walk(node)
-        if isinstance(n, ast.Constant)
-        and isinstance(n.value, int | float)
-        and not isinstance(n.value, bool)
-    }
+    found = {float(n.value) for tree in trees for n in ast.walk(tree)
+             if isinstance(n, ast.Constant) and type(n.value) in (int, float)}
     return found | {round(100 * x, 6) for x in found}
 
 
 # --- every notebook
 
 
-def test_nothing_of_a_run_is_stored(notebook):
+def test_format_kernel_and_cell_ids_and_nothing_of_a_run(notebook):
     for cell in notebook["cells"]:
         assert not cell.get("outputs")
         assert cell.get("execution_count") is None
         assert not cell.get("attachments")
         assert "execution" not in cell["metadata"]
     assert "widgets" not in notebook["metadata"]
-
-
-def test_format_kernel_and_cell_ids(notebook):
     assert (notebook["nbformat"], notebook["nbformat_minor"]) == (4, 5)
     assert notebook["metadata"]["kernelspec"]["name"] == "python3"
     ids = [cell.get("id", "") for cell in notebook["cells"]]
@@ -152,47 +122,32 @@ def test_format_kernel_and_cell_ids(notebook):
     assert len(set(ids)) == len(ids)
 
 
-def test_cells_are_short_and_few(notebook):
+def test_cells_are_short_and_few_and_the_last_one_asserts_the_finding(notebook):
     cells = code(notebook)
     assert 8 <= len(cells) <= 40
     for source in cells:
         assert 0 < len(source.splitlines()) <= LONGEST, source
+    assert any(isinstance(node, ast.Assert) for node in nodes(cells[-1:])), cells[-1]
 
 
-def test_the_last_cells_assert_the_finding(notebook):
-    last = code(notebook)[-1]
-    assert any(isinstance(node, ast.Assert) for node in ast.walk(ast.parse(plain(last)))), last
-
-
-def test_library_code_is_imported_not_defined_again(notebook):
+def test_library_code_is_imported_and_no_private_names_and_no_experiments(notebook):
     for source in code(notebook):
-        nodes = ast.walk(ast.parse(plain(source)))
-        defined = [
-            node
-            for node in nodes
-            if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef)
-        ]
-        assert not defined or source.lower().startswith(MAY_DEFINE), source
-
-
-def test_no_private_names_and_no_experiments(notebook):
-    text = "\n".join(code(notebook))
-    assert not re.search(r"^\s*(?:from|import) (?:experiments|tests)", text, re.M)
-    nodes = [node for source in code(notebook) for node in ast.walk(ast.parse(plain(source)))]
-    names = [node.attr for node in nodes if isinstance(node, ast.Attribute)]
+        defined = ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef
+        assert source.lower().startswith(MAY_DEFINE) or not any(
+            isinstance(node, defined) for node in nodes([source])), source
+        assert not re.search(r"^\s*(?:from|import) (?:experiments|tests)", source, re.M)
+    names = [node.attr for node in nodes(code(notebook)) if isinstance(node, ast.Attribute)]
     assert not [name for name in names if name.startswith("_") and not name.endswith("__")]
 
 
 # --- notebooks of the course
 
 
-def test_it_is_in_the_sequence_and_opens_with_goals_minutes_and_needs(lesson):
-    entry, notebook = lesson
+def test_it_is_in_the_sequence_and_opens_with_goals_minutes_and_needs(entry, notebook):
     first = "".join(notebook["cells"][0]["source"])
     assert first.startswith(f"# {entry.question}\n")
-    assert re.search(r"^!\[[^\]]+\]\(\.\./docs/\S+\.(?:webp|gif|apng)\)", first, re.M), (
-        "a moving picture of the result"
-    )
+    moving = r"^!\[[^\]]+\]\(\.\./docs/\S+\.(?:webp|gif|apng)\)"
+    assert re.search(moving, first, re.M), "a moving picture of the result"
     assert "**You will be able to**" in first
     assert f"**Time:** about {entry.minutes} minutes." in first
     needs = re.search(r"\*\*Before this notebook:\*\* (.*?)\.\s", first, re.S).group(1)
@@ -200,26 +155,18 @@ def test_it_is_in_the_sequence_and_opens_with_goals_minutes_and_needs(lesson):
     assert [call.args[0].value for call in calls(notebook, "here")] == [entry.number]
 
 
-def test_the_run_answers_each_question_that_is_asked_before_it(lesson):
-    texts = ["".join(cell["source"]) for cell in lesson[1]["cells"]]
-    asked = ["**Before you run.**" in text for text in texts]
-    told = [text.startswith("# after the run") and "course.claim(" in text for text in texts]
-    turns = "".join(
-        "?" if question else "!"
-        for question, answer in zip(asked, told, strict=True)
-        if question or answer
-    )
-    assert turns.startswith("?")
-    assert turns.endswith("!")
-    assert "??" not in turns
+def test_the_run_answers_each_question_that_is_asked_before_it(notebook):
+    turns = ""
+    for text in ("".join(cell["source"]) for cell in notebook["cells"]):
+        answers = text.startswith("# after the run") and "course.claim(" in text
+        turns += "?" if "**Before you run.**" in text else "!" * answers
+    assert re.fullmatch(r"(\?!+)+", turns)
 
 
-def test_recordings_are_read_in_a_last_section_alone(lesson):
-    cells = [(cell["cell_type"], "".join(cell["source"])) for cell in lesson[1]["cells"]]
-    heads = [
-        i for i, (kind, text) in enumerate(cells) if kind == "markdown" and RECORDED.search(text)
-    ]
-    reads = [i for i, (kind, text) in enumerate(cells) if kind == "code" and READS.search(text)]
+def test_recordings_are_read_in_a_last_section_alone(notebook):
+    cells = [(cell["cell_type"], "".join(cell["source"])) for cell in notebook["cells"]]
+    heads, reads = ([i for i, (kind, text) in enumerate(cells) if kind == of and has.search(text)]
+                    for of, has in (("markdown", RECORDED), ("code", READS)))
     if reads:
         assert len(heads) == 1
         assert heads[0] < reads[0]
@@ -228,23 +175,20 @@ def test_recordings_are_read_in_a_last_section_alone(lesson):
         assert len(cells[heads[0]][1].split("##")[-1].split()) > 25  # prose of their own
 
 
-def test_it_ends_with_what_was_learnt_and_three_questions_with_folded_answers(lesson):
-    _, notebook = lesson
+def test_it_ends_with_what_was_learnt_and_three_questions_with_folded_answers(notebook):
     assert len(calls(notebook, "learnt")) == 1
     (quiz,) = [text for text in prose(notebook) if text.startswith("## Three questions")]
     assert quiz.count("<details>") == quiz.count("</details>") == 3
     assert len(re.findall(r"<summary>[^<]+\?</summary>\n\n", quiz)) == 3
 
 
-def test_at_least_three_exercises_are_checked_and_have_folded_solutions(lesson):
-    entry, notebook = lesson
+def test_at_least_three_exercises_are_checked_and_have_folded_solutions(entry, notebook):
     known = list(course.exercises_of(entry.number))
     assert len(known) >= 3
     assert [call.args[0].value for call in calls(notebook, "check")] == known
     solved = SOLUTION.findall("\n".join(prose(notebook)))
-    assert [
-        re.match(r'course\.check\("([^"]+)", ', text.splitlines()[-1]).group(1) for text in solved
-    ] == known
+    asks = re.compile(r'course\.check\("([^"]+)", ')
+    assert [asks.match(text.splitlines()[-1])[1] for text in solved] == known
 
 
 # --- what prose says is what the run shows
@@ -266,20 +210,18 @@ def held(cell: str) -> set[float]:
     return DEFINED | numbers(named)
 
 
-def test_no_markdown_cell_has_a_number_that_no_assert_holds(lesson):
+def test_no_markdown_cell_has_a_number_that_no_assert_holds(notebook):
     """A number in prose comes from an assert or a claim, or its source is named in a comment; an
     exercise may set its own.
     """
-    _, notebook = lesson
-    trees = [ast.parse(plain(source)) for source in code(notebook)]
-    found = literals([n.test for t in trees for n in ast.walk(t) if isinstance(n, ast.Assert)])
+    found = literals([n.test for n in nodes(code(notebook)) if isinstance(n, ast.Assert)])
     found |= literals([arg for call in calls(notebook, "claim") for arg in call.args[1:]])
     for text in prose(notebook):
         assert not numbers(words(text)) - found - held(text), text
 
 
-def test_a_sentence_about_a_paper_stands_beside_the_words_it_rests_on(lesson):
-    said = prose(lesson[1]) + [text for text in code(lesson[1]) if "course.claim(" in text]
+def test_a_sentence_about_a_paper_stands_beside_the_words_it_rests_on(notebook):
+    said = prose(notebook) + [text for text in code(notebook) if "course.claim(" in text]
     for text in said:
         assert quotations(text) or not ON_A_PAPER.search(text), text
 
@@ -301,26 +243,26 @@ def shape(node: ast.AST) -> str:
                   ast.dump(node))
 
 
-def test_no_answer_is_printed_above_its_exercise(lesson):
+def test_no_answer_is_printed_above_its_exercise(notebook):
     above = set()
-    for cell in lesson[1]["cells"]:
+    for cell in notebook["cells"]:
         text = "".join(cell["source"])
         if cell["cell_type"] == "code":
-            above |= {shape(n) for n in ast.walk(ast.parse(plain(text))) if isinstance(n, ast.expr)}
+            above |= {shape(node) for node in nodes([text]) if isinstance(node, ast.expr)}
         for answer in SOLUTION.findall(text):
-            for node in ast.walk(ast.parse(answer)):
+            for node in nodes([answer]):
                 if isinstance(node, ast.Return) and not isinstance(node.value, ast.Name):
                     assert shape(node.value) not in above, answer
 
 
-def test_claims_take_their_numbers_from_the_run(lesson):
+def test_claims_take_their_numbers_from_the_run(notebook):
     """In the constant part of a claim's sentence, a number stands only if the claim's condition has
     it.
     """
-    found = [(call.args[0], call.args[1:]) for call in calls(lesson[1], "claim")]
-    found += [(key, [value]) for call in calls(lesson[1], "learnt") for key, value in
+    found = [(call.args[0], call.args[1:]) for call in calls(notebook, "claim")]
+    found += [(key, [value]) for call in calls(notebook, "learnt") for key, value in
               zip(call.args[0].keys, call.args[0].values, strict=True)]
-    quoted = held("\n".join(code(lesson[1])))
+    quoted = held("\n".join(code(notebook)))
     for sentence, conditions in found:
         parts = sentence.values if isinstance(sentence, ast.JoinedStr) else [sentence]
         text = "".join(part.value for part in parts if isinstance(part, ast.Constant))

@@ -32,10 +32,10 @@ def test_a_cell_that_runs_again_closes_what_it_made(walk_clip, monkeypatch):
         player.close()
 
 
-def test_a_closed_widget_leaves_no_part(walk_clip):
-    trained, before = tk.pretrained(), set(_instances)
-    for make in (lambda: Player(walk_clip.cut(0, 60)), lambda: Controller(*trained),
-                 lambda: Director(*trained)):
+def test_a_closed_widget_leaves_no_part(walk_clip, fast):
+    before = set(_instances)
+    for make in (lambda: Player(walk_clip.cut(0, 60)), lambda: Controller(*fast),
+                 lambda: Director(*tk.pretrained())):
         made = make()
         assert set(_instances) > before
         made.close()
