@@ -35,10 +35,9 @@ CHOSE = ("xia/neutral_01_000", "xia/sexy_01_000", "xia/strutting_01_000",
          "foreign/pybvh__cmu_12_01_walk", "foreign/animateddrawings__zombie",
          "pfnn/LocomotionFlat04_000", "100style/Neutral_FW")
 #: Styles that the pictures show as half of the clip's, though the verdict is good.
-HALF = ("recorded: cmu_new/walk_clap", "recorded: cmu_new/walk_raise_the_roof",
-        "recorded: cmu_new/walk_side_point2_", "recorded: cmu_new/walk_side_punch",
-        "procedural: foreign/pymo__AV_8Walk_Meredith_HVHA_Rep1",
-        "procedural: cmu_1006/running001", "procedural: cmu_1006/walking001")
+HALF = tuple(f"recorded: cmu_new/walk_{name}" for name in (
+    "clap", "clap001", "raise_the_roof", "raise_the_roof001", "side_point2_", "side_point2_001",
+    "side_punch", "sway"))
 
 
 def run(

@@ -15,6 +15,7 @@ from torch.nn.functional import cosine_similarity
 
 from toolkit import runtime
 from toolkit.features import splits
+from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip, contacts, rotations as R
 from toolkit.motion.clip import root_frames
 from toolkit.motion.roles import SIDES
@@ -139,12 +140,12 @@ def learn(model: Predictor, bank: StyleBank, clips: Sequence[Clip], name: str, *
         if tried[-1].compared.verdict == "good":
             break
     best = min(tried, key=lambda one: one.compared.rank())
-    bank, compared = choose(best.made, longest, seed=seed)
+    bank, compared = choose(best.made, longest, seed=seed, progress=progress)
     return replace(best, bank=bank, compared=compared)
 
 
-def choose(made: NewStyles, clip: Clip, *, rounds: int = ROUNDS,
-           seed: int = 0) -> tuple[StyleBank, Comparison]:
+def choose(made: NewStyles, clip: Clip, *, rounds: int = ROUNDS, seed: int = 0,
+           progress: bool = False) -> tuple[StyleBank, Comparison]:
     """The bank with that vector of a training which walks most like a clip, and its comparison.
 
     Then an evolution strategy looks for a vector beside it that walks still more like the clip: the
@@ -162,7 +163,8 @@ def choose(made: NewStyles, clip: Clip, *, rounds: int = ROUNDS,
     deviation = NOISE * prior_of(made.model, made.bank)[1]
     weights = torch.arange(BEST, 0, -1.0)[:, None] / sum(range(BEST + 1))
     tried: list[tuple[Comparison, Tensor]] = []
-    for turn in range(rounds + 1):
+    turns = progress_bar(range(rounds + 1), desc="search", unit="round", show=progress)
+    for turn in turns:
         found = zip(_compared(clip, made.model, vectors, made.bank, floors), vectors, strict=True)
         ranked = sorted(found, key=lambda one: one[0].rank())
         tried.append(ranked[0])
