@@ -503,6 +503,8 @@ def test_smpl_poses_in_two_arrays_are_those_in_one(smpl, tmp_path):
         made = npz.read(written(tmp_path / "a.npz", packed(**arrays, mocap_framerate=60.0)))
         assert (made.rotations - smpl.rotations).abs().max() < 1e-5
         assert torch.equal(made.offsets, npz.rest_pose(22))
+        places = made.root_positions - torch.tensor(npz.ORIGIN_X)  # SMPL-X's, of 22 joints alone
+        assert (places - smpl.root_positions).abs().max() < 1e-6
         placeless = packed(**{root: poses[:, :3], body: 50 * poses[:, 3:]})
         twice, still, *_ = npz.read(written(tmp_path / "c.npz", placeless)).doubts
         assert "if the file has degrees, convert them" in twice
