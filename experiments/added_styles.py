@@ -23,12 +23,13 @@ STEPS = styles.fine_tuning.STEPS
 ABOUT = "Styles learnt from one walking clip each, by their walk beside the clip."
 COMMAND = ("python -m experiments added-styles --root DATA [--fresh] "
            "[--model examples/models/recorded.safetensors] --store")
-WAYS = {"learn": "the best of all ways", "floor": "the nearest old style",
-        "error": "the vector of the least error"}
+WAYS = {"error": "the vector of the least error", "trained": "the best vector of a training",
+        "searched": "after the search", "floor": "the nearest old style"}
 COLUMNS = {"learnt": ["base", None], "good": ["good", 0], "weak": ["weak", 0],
-           "failed": ["failed", 0], "refused": ["refused", 0], "excess": ["median excess", 2]}
-EACH = {"clip": ["clip", None], "verdict": ["verdict", None], "eye": ["by eye", None],
-        "floor": ["nearest old style", None], "excess": ["excess", 2], "why": ["why", None]}
+           "failed": ["failed", 0], "excess": ["median excess", 2]}
+EACH = {"clip": ["clip", None], "eye": ["by eye", None], "why": ["why", None],
+        **{way: [name, None] for way, name in WAYS.items()},
+        **{f"{way} excess": ["excess", 2] for way in WAYS}}
 #: The recorded walks on which the limits of the verdicts were chosen.
 CHOSE = ("xia/neutral_01_000", "xia/sexy_01_000", "xia/strutting_01_000",
          "foreign/bvh-toolbox__walk01", "foreign/bvh-python__test_freebvh",
@@ -52,42 +53,42 @@ def run(
     """Verdicts on a style of every walking clip, and on the nearest old style as a floor."""
     net = published.either(model, parameters)
     base = "published" if parameters else "procedural" if model is None else model.stem
-    found: dict[str, list[styles.Comparison]] = {way: [] for way in WAYS}
-    refused = 0
+    each = Result("added-styles-each", ABOUT, COMMAND, EACH, [], {"steps": STEPS})
     for file in progress_bar(files(root, fresh), desc="styles", unit="clip"):
         name = f"{base}: {file.parent.name}/{file.stem}"
         clip, why = walk(file, net)
         if clip is None:
             print(f"{name}: refused: {why}", flush=True)
-            refused += 1
             continue
-        one = judged(net, clip, fresh)
-        for way, compared in one.items():
-            found[way].append(compared)
-        print(name, *(f"{way}: {c.verdict} {c.excess:.2f}" for way, c in one.items()), sep="; ")
-        best = one["learn"]
+        found = judged(net, clip)
+        print(name, *(f"{way}: {c.verdict} {c.excess:.2f}" for way, c in found.items()), sep="; ")
+        best = found["searched"]
         print(best, flush=True)
-        if fresh and store:  # at once: a run takes hours
-            row = {"clip": name, "verdict": best.verdict,
-                   "eye": "weak" if name in HALF else best.verdict,
-                   "floor": one["floor"].verdict, "excess": best.excess,
-                   "why": "; ".join(best.reasons)}
-            Result("added-styles-fresh", ABOUT, COMMAND, EACH, [row], {"steps": STEPS}).add()
+        row = {"clip": name, "eye": "weak" if name in HALF else best.verdict,
+               "why": "; ".join(best.reasons)}
+        for way, compared in found.items():
+            row |= {way: compared.verdict, f"{way} excess": compared.excess}
+        each.rows.append(row)
+        if store:  # at once: a run takes hours
+            each.add()
         if pictures:
             cycles = best.cycles()
             strip(list(cycles.values()), pictures / f"{name.replace('/', '_')}.png",
                   labels=list(cycles), width=10, dpi=60)
+    # of all clips that are stored, also by other runs
+    clips = Result.load(each.name).rows if store else each.rows
+    clips = [row for row in clips if row["clip"].startswith(base)
+             and (row["clip"].removeprefix(f"{base}: ") not in CHOSE) == fresh]
     rows = []
-    group = f"{base}, fresh clips" if fresh else base
-    for way, compared in found.items():
-        if compared:
-            count = Counter(c.verdict for c in compared)
-            rows.append({"learnt": f"{group}: {WAYS[way]}", "good": count["good"],
-                         "weak": count["weak"], "failed": count["failed"], "refused": refused,
-                         "excess": median(c.excess for c in compared)})
-            print(rows[-1])
+    for way, name in WAYS.items():
+        count = Counter(row[way] for row in clips)
+        rows.append({"learnt": f"{base}{', fresh clips' * fresh}: {name}",
+                     **{verdict: count[verdict] for verdict in styles.comparison.VERDICTS},
+                     "excess": median(row[f"{way} excess"] for row in clips)})
+    result = Result("added-styles", ABOUT, COMMAND, COLUMNS, rows, {"steps": STEPS})
+    print(result.markdown())
     if store:
-        Result("added-styles", ABOUT, COMMAND, COLUMNS, rows, {"steps": STEPS}).add()
+        result.add()
 
 
 def files(root: Path, fresh: bool) -> list[Path]:
@@ -113,12 +114,11 @@ def walk(file: Path, net: Run) -> tuple[Clip | None, str]:
     return (None, why) if why else (clip, "")
 
 
-def judged(net: Run, clip: Clip, fresh: bool) -> dict[str, styles.Comparison]:
+def judged(net: Run, clip: Clip) -> dict[str, styles.Comparison]:
     """Comparisons by `WAYS`."""
     best = styles.learn(net.model, net.bank, [clip], "new", steps=STEPS)
     made = best.made
     nearest = made.bank.nearest("new", 1)[0][0]
-    found = {"learn": best.compared, "floor": styles.compare(clip, net.model, nearest, net.bank)}
-    if not fresh:
-        found["error"] = styles.compare(clip, made.model, "new", made.bank)
-    return found
+    return {"error": styles.compare(clip, made.model, "new", made.bank),
+            "trained": styles.choose(made, clip, rounds=0)[1], "searched": best.compared,
+            "floor": styles.compare(clip, net.model, nearest, net.bank)}

@@ -2,7 +2,7 @@
 
 from toolkit import registry
 from toolkit.runtime.frame import FPS, pose, start, step, world_joints
-from toolkit.runtime.recording import record, record_all, rollout, states
+from toolkit.runtime.recording import record, rollout, states
 from toolkit.runtime.state import CharacterState
 from toolkit.runtime.steering import Command, Pilot, follow, speed_controller, steer, straight
 
@@ -15,7 +15,6 @@ __all__ = [
     "follow",
     "pose",
     "record",
-    "record_all",
     "rollout",
     "speed_controller",
     "start",

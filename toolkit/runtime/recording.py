@@ -97,14 +97,16 @@ def record(
 
 
 def record_all(model, recorded: Sequence[CharacterState]) -> list[Clip]:
-    """The motion of every character, sooner than `record` one by one."""
+    """The motions of the B characters of states, as `record` makes them one by one, but sooner."""
     together = vars(joined(recorded, slice(None)))
     return [_clip(model, CharacterState(**{name: part[:, i] for name, part in together.items()}))
             for i in range(len(recorded[0].root))]
 
 
 def joined(recorded: Sequence[CharacterState], character: int | slice = 0) -> CharacterState:
-    """The states of one character along the leading axis; without the style, which is large."""
+    """The states of one character ``[F, …]``, or of several ``[F, B, …]``; without the style, which
+    is large.
+    """
     names = [f.name for f in dataclasses.fields(CharacterState) if f.name != "style"]
     parts = {name: torch.stack([getattr(s, name)[character] for s in recorded]) for name in names}
     return CharacterState(**parts, style=parts["facing"][..., :0])

@@ -23,6 +23,7 @@ from toolkit.motion.skeleton import FEET
 from toolkit.motion.trajectory import FPS, heading
 from toolkit.networks import FilmGenerator, Predictor
 from toolkit.networks.bank import StyleBank
+from toolkit.runtime.recording import record_all
 from toolkit.styles.fine_tuning import STEPS, NewStyles, fine_tune, prior_of
 
 SECONDS, LONGEST = 6.0, 12.0  # of a walk that is compared: at least, and of a clip at most
@@ -140,18 +141,18 @@ def learn(model: Predictor, bank: StyleBank, clips: Sequence[Clip], name: str, *
         if tried[-1].compared.verdict == "good":
             break
     best = min(tried, key=lambda one: one.compared.rank())
-    bank, compared = choose(best.made, longest, seed=seed, progress=progress)
+    bank, compared = _searched(best.made, longest, best.bank, best.compared, ROUNDS, seed, progress)
     return replace(best, bank=bank, compared=compared)
 
 
 def choose(made: NewStyles, clip: Clip, *, rounds: int = ROUNDS, seed: int = 0,
            progress: bool = False) -> tuple[StyleBank, Comparison]:
-    """The bank with that vector of a training which walks most like a clip, and its comparison.
+    """The bank with the vector that walks most like a clip, and its comparison.
 
-    Then an evolution strategy looks for a vector beside it that walks still more like the clip: the
-    error one step ahead, by which the training went, does not see where a walk ends. In each of so
-    many ``rounds``, random vectors around a middle walk side by side, and a weighted mean of the
-    best ones is the next middle. It ends early with an excess of `ENOUGH`.
+    At first this is a vector of the training. The error one step ahead, by which the training went,
+    does not see where a walk ends. So in each of up to ``rounds`` rounds, random vectors around a
+    middle walk side by side, and a weighted mean of the best ones is the next middle: an evolution
+    strategy (Beyer and Schwefel 2002). It ends with an excess of `ENOUGH`.
 
     The clip should be a walk (`not_a_walk`). ValueError if several styles were learnt at once.
     """
@@ -159,26 +160,38 @@ def choose(made: NewStyles, clip: Clip, *, rounds: int = ROUNDS, seed: int = 0,
         raise ValueError(f"one style is chosen at a time, got {', '.join(made.names)}")
     (name,) = made.names
     vectors = torch.cat([made.bank[name][None], made.tried[:, 0]])
+    found = _compared(clip, made.model, vectors, made.bank, _floors(made.bank, vectors[0], name))
+    best = min(range(len(found)), key=lambda i: found[i].rank())
+    bank = _with(made, vectors[best])
+    return _searched(made, clip, bank, found[best], rounds, seed, progress)
+
+
+def _searched(made: NewStyles, clip: Clip, bank: StyleBank, compared: Comparison, rounds: int,
+              seed: int, progress: bool) -> tuple[StyleBank, Comparison]:
+    """The evolution strategy of `choose`, from the vector of a bank and its comparison on."""
+    (name,) = made.names
     floors, draw = _floors(made.bank, made.bank[name], name), splits.generator(seed)
     deviation = NOISE * prior_of(made.model, made.bank)[1]
     weights = torch.arange(BEST, 0, -1.0)[:, None] / sum(range(BEST + 1))
-    tried: list[tuple[Comparison, Tensor]] = []
-    turns = progress_bar(range(rounds + 1), desc="search", unit="round", show=progress)
-    for turn in turns:
-        found = zip(_compared(clip, made.model, vectors, made.bank, floors), vectors, strict=True)
-        ranked = sorted(found, key=lambda one: one[0].rank())
-        tried.append(ranked[0])
-        if ranked[0][0].excess <= ENOUGH:
+    middle = bank[name]
+    for turn in progress_bar(range(rounds), desc="search", unit="round", show=progress):
+        if compared.excess <= ENOUGH:
             break
-        # the best vector of the training is the first middle
-        near = torch.stack([vector for _, vector in ranked[:BEST]])
-        middle = (weights * near).sum(0) if turn else near[0]
         noise = torch.randn(VECTORS, len(middle), generator=draw) * deviation * COOLING**turn
         vectors = torch.cat([middle[None], middle + noise])
-    compared, kept = min(tried, key=lambda one: one[0].rank())
-    together = made.bank.vectors.clone()
-    together[made.bank.names.index(name)] = kept
-    return replace(made.bank, vectors=together), compared
+        found = _compared(clip, made.model, vectors, made.bank, floors)
+        ranked = sorted(range(len(found)), key=lambda i: found[i].rank())
+        middle = (weights * vectors[ranked[:BEST]]).sum(0)
+        if (best := found[ranked[0]]).rank() < compared.rank():
+            bank, compared = _with(made, vectors[ranked[0]]), best
+    return bank, compared
+
+
+def _with(made: NewStyles, vector: Tensor) -> StyleBank:
+    """The bank of a training with another vector of its one style."""
+    vectors = made.bank.vectors.clone()
+    vectors[made.bank.names.index(made.names[0])] = vector
+    return replace(made.bank, vectors=vectors)
 
 
 def _floors(bank: StyleBank, vector: Tensor, name: str | None) -> list[str]:
@@ -196,7 +209,7 @@ def _compared(clip: Clip, model: Predictor, vectors: Tensor, bank: StyleBank,
     together = torch.cat([vectors, *(bank[other][None] for other in floors)])
     asked = commands(clip)
     walked = list(runtime.states(runtime.quick(model, len(asked)), asked, together))
-    walks = runtime.record_all(model, walked[round(WARM_UP * FPS):])
+    walks = record_all(model, walked[round(WARM_UP * FPS):])
     beside = dict(zip(floors, walks[len(vectors):], strict=True))
     fixed = {"clip": measures(clip, clip)}
     others = {other: measures(walk, clip) for other, walk in beside.items()}
