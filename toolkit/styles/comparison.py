@@ -150,9 +150,9 @@ def choose(made: NewStyles, clip: Clip, *, rounds: int = ROUNDS, seed: int = 0,
     """The bank with the vector that walks most like a clip, and its comparison.
 
     At first this is a vector of the training. The error one step ahead, by which the training went,
-    does not see where a walk ends. So in each of up to ``rounds`` rounds, random vectors around a
-    middle walk side by side, and a weighted mean of the best ones is the next middle: an evolution
-    strategy (Beyer and Schwefel 2002). It ends with an excess of `ENOUGH`.
+    does not say how it walks. So up to ``rounds`` times, vectors that are drawn around a middle one
+    walk side by side, and the next middle is a weighted mean of the best: an evolution strategy
+    (Beyer and Schwefel 2002). It ends with an excess of `ENOUGH`.
 
     The clip should be a walk (`not_a_walk`). ValueError if several styles were learnt at once.
     """
