@@ -5,10 +5,15 @@ Plotly with its code once a notebook, and pages of the 3D scene in a frame.
 
 import json
 import tempfile
+from base64 import b64encode
+from collections.abc import Mapping
 from html import escape
+from io import BytesIO
 from pathlib import Path
 
 import plotly.io as pio
+from matplotlib.figure import Figure
+from pandas import DataFrame
 from plotly.io.base_renderers import MimetypeRenderer
 from plotly.offline import get_plotlyjs
 
@@ -74,6 +79,22 @@ def show(html: str, height: int) -> Page:
         f'style="width: 100%; height: {height}px; border: 0" loading="lazy" title="Live '
         f'figure"></iframe>'
     )
+
+
+def report(parts: Mapping[str, str | Figure | DataFrame], path: Path) -> str:
+    """A page of titles and their texts, pictures and tables, which is also written to a file."""
+    body = ""
+    for title, part in parts.items():
+        if isinstance(part, Figure):
+            file = BytesIO()
+            part.savefig(file, format="png")
+            image = b64encode(file.getvalue()).decode()
+            part = f'<img width="100%" alt="{escape(title)}" src="data:image/png;base64,{image}">'
+        else:
+            part = f"<p>{escape(part)}</p>" if isinstance(part, str) else part.to_html()
+        body += f"<h3>{escape(title)}</h3>{part}"
+    path.write_text(f"<!doctype html><meta charset=utf-8>{body}", encoding="utf-8")
+    return body
 
 
 def film(

@@ -13,9 +13,11 @@ from plotly.subplots import make_subplots
 from torch import Tensor
 
 from toolkit.features import Layout
+from toolkit.motion import Clip, contacts
+from toolkit.styles.comparison import periodicity
 from toolkit.view.frontend import escape
 from toolkit.view.render.mannequin import COLORS, PALETTE
-from toolkit.view.render.picture import Picture
+from toolkit.view.render.picture import Picture, strip
 
 # Ten colours that are told apart.
 WHEEL = (*PALETTE[:5], "#d9772b", "#3f7d3a", "#1f4e79", "#a0522d", "#101820")
@@ -199,3 +201,16 @@ def graph_figure(graph, place: Tensor) -> Figure:
         place = place @ graph.pool(level) if level < levels - 1 else place
     figure.supylabel("height, metres")
     return figure
+
+
+def cycles_figure(clips: Mapping[str, Clip]) -> Figure:
+    """Two steps of each walk, from a landing of the right foot, so that columns show one phase."""
+    return strip([_cycle(clip) for clip in clips.values()], labels=list(clips))
+
+
+def _cycle(clip: Clip) -> Clip:
+    length = periodicity(clip)[1] or len(clip) - 1
+    on = contacts.detect(clip)[: len(clip) - length, 0] > 0.5
+    landings = (on[1:] & ~on[:-1]).nonzero()[:, 0].tolist() or [0]
+    begin = landings[len(landings) // 2]
+    return clip.cut(begin, begin + length + 1)

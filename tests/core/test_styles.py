@@ -278,15 +278,16 @@ def zombie():
     return tk.datasets.procedural.generate("Zombie", seconds=6.0)
 
 
-def test_a_style_walks_as_its_clip_and_another_one_does_not(zombie, fast, monkeypatch):
+def test_a_style_walks_as_its_clip_and_another_one_does_not(fast, monkeypatch):
     monkeypatch.undo()  # of the short walks
     model, bank = fast
-    own = tk.styles.compare(zombie, model, "Zombie", bank)
+    clip = tk.datasets.procedural.generate("Old", seconds=6.0)
+    own = tk.styles.compare(clip, model, "Old", bank)
     assert own.verdict == "good"
     assert not own.reasons
     assert own.excess <= 1
     assert list(own.rows)[:3] == ["clip", "style", "Neutral"]
-    other = tk.styles.compare(zombie, model, "Old", bank)
+    other = tk.styles.compare(clip, model, "Zombie", bank)
     assert other.verdict != "good"
     assert other.rows["style"]["posture"] > 2 * own.rows["style"]["posture"]
     # its posture is nearer to the clip's than that of the nearest floor, and near enough to see it
@@ -296,10 +297,6 @@ def test_a_style_walks_as_its_clip_and_another_one_does_not(zombie, fast, monkey
         assert comparison.difference(near, "posture") == pytest.approx(4 / limit)
     alone = {"clip": {"posture": 0.0}, "style": {"posture": 9.0}}  # a bank of this style only
     assert comparison.against(alone, "posture") == "at most 7"
-    # two steps each, whatever the rhythm
-    lengths = {name: 2 / own.rows[name]["steps"] for name in own.rows}
-    for name, cycle in own.cycles().items():
-        assert cycle.seconds == pytest.approx(lengths[name], abs=0.05)
 
 
 @pytest.mark.parametrize(("joint", "axis", "seen"), [
