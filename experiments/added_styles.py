@@ -14,12 +14,10 @@ from toolkit.cli import verbs
 from toolkit.cli.style import fitted
 from toolkit.io.files import below
 from toolkit.io.load import load
-from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip
 from toolkit.training import Run
 from toolkit.view import strip
 
-STEPS = styles.fine_tuning.STEPS
 ABOUT = "Styles learnt from one walking clip each, by their walk beside the clip."
 COMMAND = ("python -m experiments added-styles --root DATA [--fresh] "
            "[--model examples/models/recorded.safetensors] --store")
@@ -27,7 +25,7 @@ WAYS = {"trained": "without the search", "searched": "style add", "floor": "the 
 COLUMNS = {"learnt": ["model, clips", None], "good": ["good", 0], "weak": ["weak", 0],
            "failed": ["failed", 0], "excess": ["median excess", 2],
            "second": ["on a second take", 2], "takes": ["takes", 0]}
-EACH = {"clip": ["clip", None], "eye": ["by eye", None], "why": ["why", None],
+EACH = {"clip": ["clip", None], "why": ["style add says", None],
         **{way: [name, None] for way, name in WAYS.items()},
         **{f"{way} {column}": [column, 2] for way in WAYS for column in ("excess", "second")}}
 #: The recorded walks on which the limits of the verdicts were chosen.
@@ -35,8 +33,6 @@ CHOSE = ("xia/neutral_01_000", "xia/sexy_01_000", "xia/strutting_01_000",
          "foreign/bvh-toolbox__walk01", "foreign/bvh-python__test_freebvh",
          "foreign/pybvh__cmu_12_01_walk", "foreign/animateddrawings__zombie",
          "pfnn/LocomotionFlat04_000", "100style/Neutral_FW")
-#: What the pictures say where it is not the verdict.
-EYE: dict[str, str] = {}
 
 
 def run(
@@ -51,8 +47,8 @@ def run(
     """Verdicts on a style of every walking clip, and on the nearest old style as a floor."""
     net = published.either(model, parameters)
     base = "published" if parameters else "procedural" if model is None else model.stem
-    each = Result("added-styles-each", ABOUT, COMMAND, EACH, [], {"steps": STEPS})
-    for file in progress_bar(files(root, fresh), desc="styles", unit="clip"):
+    each = Result("added-styles-each", ABOUT, COMMAND, EACH, [])
+    for file in files(root, fresh):
         name = f"{base}: {file.parent.name}/{file.stem}"
         clip, why = walk(file, net)
         if clip is None:
@@ -60,9 +56,8 @@ def run(
             continue
         best, found = judged(net, clip, second_take(file, net))
         print(name, *(f"{key}: {value}" for key, value in found.items()), best, flush=True)
-        each.rows.append({"clip": name, "eye": EYE.get(name, best.verdict),
-                          "why": "; ".join(best.reasons), **found})
-        if store:  # at once: a run takes hours
+        each.rows.append({"clip": name, "why": "; ".join(best.reasons), **found})
+        if store:  # at once
             each.add()
         if pictures:
             strip(list(best.clips.values()), pictures / f"{name.replace('/', '_')}.png",
@@ -79,7 +74,7 @@ def run(
                      **{verdict: count[verdict] for verdict in styles.comparison.VERDICTS},
                      "excess": median(row[f"{way} excess"] for row in clips),
                      "second": median(seconds) if seconds else None, "takes": len(seconds)})
-    result = Result("added-styles", ABOUT, COMMAND, COLUMNS, rows, {"steps": STEPS})
+    result = Result("added-styles", ABOUT, COMMAND, COLUMNS, rows)
     print(result.markdown())
     if store:
         result.add()
@@ -87,10 +82,8 @@ def run(
 
 def files(root: Path, fresh: bool) -> list[Path]:
     """The files on which the limits were chosen, or all others."""
-    if not fresh:
-        return [root / f"{name}.bvh" for name in CHOSE]
-    return [file for file in below(root)
-            if file.suffix == ".bvh" and f"{file.parent.name}/{file.stem}" not in CHOSE]
+    return [file for file in below(root) if file.suffix == ".bvh"
+            and (f"{file.parent.name}/{file.stem}" not in CHOSE) == fresh]
 
 
 def walk(file: Path, net: Run) -> tuple[Clip | None, str]:
@@ -98,10 +91,7 @@ def walk(file: Path, net: Run) -> tuple[Clip | None, str]:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            clip = load(file)
-        if why := styles.not_a_walk(clip):  # before the retargeting, which takes longer
-            return None, why
-        clip = fitted(clip, net.model, net.bank)
+            clip = fitted(load(file), net.model, net.bank)
         why = styles.not_a_walk(clip)
     except ValueError as error:
         return None, str(error)
@@ -110,17 +100,14 @@ def walk(file: Path, net: Run) -> tuple[Clip | None, str]:
 
 def second_take(file: Path, net: Run) -> Clip | None:
     """A walk in the same folder whose name differs in the last number only."""
-    def name(path: Path) -> str:
-        return path.stem.rstrip("0123456789")
-
-    others = (other for other in sorted(file.parent.glob("*.bvh"))
-              if name(other) == name(file) and other != file)
+    others = [other for other in sorted(file.parent.glob("*.bvh")) if other != file
+              and other.stem.rstrip("0123456789") == file.stem.rstrip("0123456789")]
     return next((clip for other in others if (clip := walk(other, net)[0])), None)
 
 
 def judged(net: Run, clip: Clip, second: Clip | None) -> tuple[styles.Comparison, dict[str, Any]]:
-    """The comparison of the style that is learnt, and the cells of `EACH`."""
-    best = styles.learn(net.model, net.bank, [clip], "new", steps=STEPS)
+    """The comparison of the learnt style, and cells of `EACH`."""
+    best = styles.learn(net.model, net.bank, [clip], "new")
     made = best.made
     nearest = made.bank.nearest("new", 1)[0][0]
     found: dict[str, Any] = {}
