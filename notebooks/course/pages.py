@@ -12,8 +12,6 @@ from io import BytesIO
 from pathlib import Path
 
 import plotly.io as pio
-from matplotlib.figure import Figure
-from pandas import DataFrame
 from plotly.io.base_renderers import MimetypeRenderer
 from plotly.offline import get_plotlyjs
 
@@ -81,18 +79,19 @@ def show(html: str, height: int) -> Page:
     )
 
 
-def report(parts: Mapping[str, str | Figure | DataFrame], path: Path) -> str:
-    """A page of titles and their texts, pictures and tables, which is also written to a file."""
+def report(parts: Mapping[str, object], path: Path) -> str:
+    """A page of titles and their texts, pandas' tables and matplotlib's pictures; a file, too."""
     body = ""
     for title, part in parts.items():
-        if isinstance(part, Figure):
-            file = BytesIO()
-            part.savefig(file, format="png")
-            image = b64encode(file.getvalue()).decode()
-            part = f'<img width="100%" alt="{escape(title)}" src="data:image/png;base64,{image}">'
+        body += f"<h3>{escape(title)}</h3>"
+        if isinstance(part, str):
+            body += f"<p>{escape(part)}</p>"
+        elif hasattr(part, "to_html"):
+            body += part.to_html()
         else:
-            part = f"<p>{escape(part)}</p>" if isinstance(part, str) else part.to_html()
-        body += f"<h3>{escape(title)}</h3>{part}"
+            part.savefig(file := BytesIO(), format="png")
+            image = b64encode(file.getvalue()).decode()
+            body += f'<img width="100%" alt="{escape(title)}" src="data:image/png;base64,{image}">'
     path.write_text(f"<!doctype html><meta charset=utf-8>{body}", encoding="utf-8")
     return body
 
