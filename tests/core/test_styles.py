@@ -5,6 +5,7 @@ import json
 import math
 import re
 
+import numpy as np
 import pytest
 import torch
 from refusal import refusal
@@ -14,7 +15,7 @@ from torch.testing import assert_close
 import toolkit as tk
 from toolkit.cli.style import fitted
 from toolkit.motion import rotations as R
-from toolkit.styles import StyleBank, comparison, fine_tuning
+from toolkit.styles import StyleBank, comparison, fine_tuning, learning
 from toolkit.styles.transitions import EASINGS
 
 BANK = StyleBank(("Neutral", "Zombie", "Old"), torch.eye(3))
@@ -114,8 +115,9 @@ def short_walks(monkeypatch):
     """Walks that are compared, and those of the pose mix-up, are short, and few vectors are tried,
     so that a test is short.
     """
-    for name, value in (("WARM_UP", 1.0), ("SECONDS", 2.0), ("LONGEST", 2.0), ("VECTORS", 8)):
+    for name, value in (("WARM_UP", 1.0), ("SECONDS", 2.0), ("LONGEST", 2.0)):
         monkeypatch.setattr(comparison, name, value)
+    monkeypatch.setattr(learning, "VECTORS", 8)
     monkeypatch.setattr(fine_tuning, "WALK", (1.0, 0.5))
 
 
@@ -241,14 +243,14 @@ def test_what_cannot_be_learnt_is_refused_in_one_line(small_run, crouch):
 def test_style_add_writes_the_same_file_with_one_vector_more(tmp_path, small_run, crouch, command,
                                                              monkeypatch):
     def once(*clips, **options):  # the second command learns the same
-        learnt.extend([] if learnt else [comparison.learn(*clips, **options)])
+        learnt.extend([] if learnt else [learning.learn(*clips, **options)])
         return learnt[0]
 
     learnt: list = []
     monkeypatch.setattr("toolkit.cli.style.learn", once)
     for name in ("WARM_UP", "SECONDS", "LONGEST"):
         monkeypatch.setattr(comparison, name, 0.5)
-    monkeypatch.setattr(comparison, "ENOUGH", math.inf)  # no other vector is looked for
+    monkeypatch.setattr(learning, "ENOUGH", math.inf)  # no other vector is looked for
     run, out, clips = tmp_path / "run.safetensors", tmp_path / "new.safetensors", tmp_path / "clips"
     small_run.save(run)
     tk.bvh.save(crouch, clips / "a.bvh")
@@ -297,6 +299,29 @@ def test_a_style_walks_as_its_clip_and_another_one_does_not(fast, monkeypatch):
         assert comparison.difference(near, "posture") == pytest.approx(4 / limit)
     alone = {"clip": {"posture": 0.0}, "style": {"posture": 9.0}}  # a bank of this style only
     assert comparison.against(alone, "posture") == "at most 7"
+    # the walk from the middle counts if it is the worse one: here it has to stand
+    ordered = comparison.commands
+    monkeypatch.setattr(comparison, "commands", lambda clip, begin: [
+        tk.runtime.Command((0.0, 0.0)) if begin else order for order in ordered(clip)])
+    assert tk.styles.compare(clip, model, "Old", bank).verdict == "failed"
+
+
+def test_reach_is_that_of_the_hands_and_the_second_start_is_in_the_middle(zombie):
+    turned = zombie.rotations.clone()
+    turned[100:, zombie.skeleton.index("LeftShoulder")] = R.yaw(torch.tensor(1.0))
+    walk = zombie.replace(rotations=turned)
+    own, seen = (np.percentile(comparison.upper_body(clip)[:, :2].numpy(), [5, 95], axis=0)
+                 for clip in (zombie, walk))
+    reach = comparison.measures(walk, zombie)["reach"]
+    assert reach == pytest.approx(100 * np.abs(seen - own).mean(), rel=1e-4)
+    assert reach > comparison.REACH
+    rows = {"clip": {"reach": 0.0}, "style": {"reach": reach}}
+    assert comparison.difference(rows, "reach") == pytest.approx(reach / comparison.REACH)
+    warm_up, speeds = round(comparison.WARM_UP * 60), []
+    for begin in (0, 150):
+        orders = comparison.commands(zombie, begin)[warm_up:]
+        speeds.append([math.hypot(*order.velocity) for order in orders])
+    assert speeds[1][:100] == pytest.approx(speeds[0][150:250])
 
 
 @pytest.mark.parametrize(("joint", "axis", "seen"), [

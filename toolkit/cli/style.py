@@ -16,8 +16,9 @@ from toolkit.io.load import readers
 from toolkit.motion import Clip
 from toolkit.networks import Predictor
 from toolkit.networks.bank import StyleBank
-from toolkit.styles.comparison import learn, not_a_walk
+from toolkit.styles.comparison import not_a_walk
 from toolkit.styles.fine_tuning import METHODS, STEPS
+from toolkit.styles.learning import learn
 from toolkit.training import published
 from toolkit.training.run import RECORDED, model_file
 

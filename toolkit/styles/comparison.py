@@ -7,24 +7,21 @@ what a viewer sees.
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import torch
 from torch import Tensor
 from torch.nn.functional import cosine_similarity
 
 from toolkit import runtime
-from toolkit.features import splits
-from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip, contacts, rotations as R
 from toolkit.motion.clip import root_frames
 from toolkit.motion.roles import SIDES
 from toolkit.motion.skeleton import FEET
 from toolkit.motion.trajectory import FPS, heading
-from toolkit.networks import FilmGenerator, Predictor
+from toolkit.networks import Predictor
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime.recording import record_all
-from toolkit.styles.fine_tuning import STEPS, NewStyles, fine_tune, prior_of
 
 SECONDS, LONGEST = 6.0, 12.0  # of a walk that is compared: at least, and of a clip at most
 WARM_UP = 2.0  # seconds before it
@@ -40,10 +37,6 @@ SHORTEST, SLOWEST, PERIODIC = 1.9, 0.3, 0.4
 LIMITS = {"speed": 0.25, "direction": 15.0, "steps": 0.2, "slower foot": 8.0, "hips": 6.0,
           "knees": 20.0, "head": 15.0}
 POSTURE, CLOSE, FAR, RANGE, REACH = 0.8, 2.0, 7.0, 2.2, 8.0
-#: The search of `choose`: rounds; vectors of a round, of which the best ones make the next middle;
-#: their deviation, as a share of the bank's, and what is left of it in each further round; the
-#: excess that is enough.
-ROUNDS, VECTORS, BEST, NOISE, COOLING, ENOUGH = 8, 24, 6, 0.3, 0.85, 0.7
 VERDICTS = "good", "weak", "failed"
 UNITS = {"speed": "m/s", "direction": "°", "steps": "1/s", "slower foot": "cm/s", "hips": "cm",
          "knees": "°", "head": "°", "posture": "cm", "range": "cm", "reach": "cm"}
@@ -82,16 +75,6 @@ class Comparison:
         return VERDICTS.index(self.verdict), self.excess
 
 
-@dataclass(frozen=True, eq=False)
-class Learnt:
-    """Result of `learn`."""
-
-    made: NewStyles  # the training
-    bank: StyleBank  # with the chosen vector
-    compared: Comparison  # its walk beside the longest clip
-    mirror: bool  # whether the mirror images of the clips were learnt, too
-
-
 def compare(clip: Clip, model: Predictor, style: Tensor | str, bank: StyleBank) -> Comparison:
     """Let a style walk at a clip's speed and on its path, and compare the walk with the clip.
 
@@ -112,92 +95,19 @@ def compare(clip: Clip, model: Predictor, style: Tensor | str, bank: StyleBank) 
         raise ValueError(f"{clip.name}: {why}")
     vector = bank[style] if isinstance(style, str) else style
     known = style if isinstance(style, str) else None
-    return _compared(clip, model, vector[None], bank, _floors(bank, vector, known))[0]
+    return compared(clip, model, vector[None], bank, floors_of(bank, vector, known))[0]
 
 
-def learn(model: Predictor, bank: StyleBank, clips: Sequence[Clip], name: str, *,
-          steps: int = STEPS, seed: int = 0, progress: bool = False) -> Learnt:
-    """Learn one style from clips in several ways, until one walks as the longest clip does.
-
-    The ways are the default of `fine_tune`, the same with the mirror images of the clips, and, for
-    a model that has its FiLM generator, the style vector alone. Of the best one, `choose` looks for
-    the vector that walks most like the clip.
-
-    Parameters and errors are those of `fine_tune` and `choose`.
-    """
-    longest = max(clips, key=lambda clip: clip.seconds)
-    ways: list[dict] = [{}, {"mirror": True}]
-    if isinstance(model.generator, FilmGenerator):
-        ways.append({"method": "vector"})
-    tried: list[Learnt] = []
-    for way in ways:
-        made = fine_tune(model, clips, name, bank, steps=steps, seed=seed, progress=progress, **way)
-        tried.append(Learnt(made, *choose(made, longest, rounds=0), mirror="mirror" in way))
-        if tried[-1].compared.verdict == "good":
-            break
-    best = min(tried, key=lambda one: one.compared.rank())
-    bank, compared = _searched(best.made, longest, best.bank, best.compared, ROUNDS, seed, progress)
-    return replace(best, bank=bank, compared=compared)
-
-
-def choose(made: NewStyles, clip: Clip, *, rounds: int = ROUNDS, seed: int = 0,
-           progress: bool = False) -> tuple[StyleBank, Comparison]:
-    """The bank with the vector that walks most like a clip, and its comparison.
-
-    At first this is a vector of the training. The error one step ahead, by which the training went,
-    does not say how it walks. So up to ``rounds`` times, vectors that are drawn around a middle one
-    walk side by side, and the next middle is a weighted mean of the best: an evolution strategy
-    (Beyer and Schwefel 2002). It ends with an excess of `ENOUGH`.
-
-    The clip should be a walk (`not_a_walk`). ValueError if several styles were learnt at once.
-    """
-    if len(made.names) != 1:
-        raise ValueError(f"one style is chosen at a time, got {', '.join(made.names)}")
-    (name,) = made.names
-    vectors = torch.cat([made.bank[name][None], made.tried[:, 0]])
-    found = _compared(clip, made.model, vectors, made.bank, _floors(made.bank, vectors[0], name))
-    best = min(range(len(found)), key=lambda i: found[i].rank())
-    bank = _with(made, vectors[best])
-    return _searched(made, clip, bank, found[best], rounds, seed, progress)
-
-
-def _searched(made: NewStyles, clip: Clip, bank: StyleBank, compared: Comparison, rounds: int,
-              seed: int, progress: bool) -> tuple[StyleBank, Comparison]:
-    """The evolution strategy of `choose`, from the vector of a bank and its comparison on."""
-    (name,) = made.names
-    floors, draw = _floors(made.bank, made.bank[name], name), splits.generator(seed)
-    deviation = NOISE * prior_of(made.model, made.bank)[1]
-    weights = torch.arange(BEST, 0, -1.0)[:, None] / sum(range(BEST + 1))
-    middle = bank[name]
-    for turn in progress_bar(range(rounds), desc="search", unit="round", show=progress):
-        if compared.excess <= ENOUGH:
-            break
-        noise = torch.randn(VECTORS, len(middle), generator=draw) * deviation * COOLING**turn
-        vectors = torch.cat([middle[None], middle + noise])
-        found = _compared(clip, made.model, vectors, made.bank, floors)
-        ranked = sorted(range(len(found)), key=lambda i: found[i].rank())
-        middle = (weights * vectors[ranked[:BEST]]).sum(0)
-        if (best := found[ranked[0]]).rank() < compared.rank():
-            bank, compared = _with(made, vectors[ranked[0]]), best
-    return bank, compared
-
-
-def _with(made: NewStyles, vector: Tensor) -> StyleBank:
-    """The bank of a training with another vector of its one style."""
-    vectors = made.bank.vectors.clone()
-    vectors[made.bank.names.index(made.names[0])] = vector
-    return replace(made.bank, vectors=vectors)
-
-
-def _floors(bank: StyleBank, vector: Tensor, name: str | None) -> list[str]:
+def floors_of(bank: StyleBank, vector: Tensor, name: str | None) -> list[str]:
     """Neutral and the style nearest to a vector, whose own name in the bank is ``name``."""
     near = [other for other, _ in bank.nearest(vector, len(bank)) if other != name]
     return [other for other in dict.fromkeys(("Neutral", *near[:1])) if other in near]
 
 
-def _compared(clip: Clip, model: Predictor, vectors: Tensor, bank: StyleBank,
-              floors: Sequence[str]) -> list[Comparison]:
-    """Comparisons of ``vectors [K, D]``, which walk side by side with the floors.
+def compared(clip: Clip, model: Predictor, vectors: Tensor, bank: StyleBank,
+             floors: Sequence[str]) -> list[Comparison]:
+    """Comparisons of K ``vectors [K, D]``, which walk side by side with ``floors``, styles of the
+    bank.
 
     Each walks the path twice, once from the middle of the clip on, and the worse walk counts: a
     vector that walks well from one start only is of no use.
