@@ -14,8 +14,9 @@ from torch.testing import assert_close
 
 import toolkit as tk
 from toolkit.cli.style import fitted
-from toolkit.motion import rotations as R
-from toolkit.styles import StyleBank, comparison, fine_tuning, learning
+from toolkit.motion import contacts, rotations as R
+from toolkit.motion.clip import root_frames
+from toolkit.styles import StyleBank, closed_loop, comparison, fine_tuning, learning
 from toolkit.styles.transitions import EASINGS
 
 BANK = StyleBank(("Neutral", "Zombie", "Old"), torch.eye(3))
@@ -112,12 +113,11 @@ def test_easings_go_from_0_to_1_and_never_back():
 
 @pytest.fixture(autouse=True)
 def short_walks(monkeypatch):
-    """Walks that are compared, and those of the pose mix-up, are short, and few vectors are tried,
-    so that a test is short.
-    """
+    """Walks that are compared, those of the pose mix-up and of the closed loop are short."""
     for name, value in (("WARM_UP", 1.0), ("SECONDS", 2.0), ("LONGEST", 2.0)):
         monkeypatch.setattr(comparison, name, value)
-    monkeypatch.setattr(learning, "VECTORS", 8)
+    for name, value in (("STARTS", 2), ("FRAMES", 40)):
+        monkeypatch.setattr(closed_loop, name, value)
     monkeypatch.setattr(fine_tuning, "WALK", (1.0, 0.5))
 
 
@@ -219,7 +219,7 @@ def test_the_embedded_model_learns_a_style_from_one_clip(fast):
     assert tk.metrics.upright(last.clips["style"])
     marked = dataclasses.replace(made.bank, shakes=torch.ones(len(made.bank)))
     chosen, compared = tk.styles.choose(
-        dataclasses.replace(made, model=fast[0], bank=marked), clip, rounds=2)
+        dataclasses.replace(made, bank=marked), clip, rounds=1)
     assert chosen.shakes.all()
     assert compared.excess <= last.excess * 1.02
     assert torch.equal(chosen.vectors[:-1], bank.vectors)
@@ -322,6 +322,55 @@ def test_reach_is_that_of_the_hands_and_the_second_start_is_in_the_middle(zombie
         orders = comparison.commands(zombie, begin)[warm_up:]
         speeds.append([math.hypot(*order.velocity) for order in orders])
     assert speeds[1][:100] == pytest.approx(speeds[0][150:250])
+
+
+def test_what_a_walk_shows_is_compared_by_sorted_values_and_by_its_tempo(zombie):
+    layout = tk.pretrained().model.layout
+    # toes that pass each other once a second, a right hand at 1 m, and straight legs of 0.9 m
+    at = {name: layout.names.index(name) for name in layout.names}
+    roles = {role: at[joint] for role, joint in layout.skeleton.roles.items() if joint in at}
+    places = torch.zeros(300, 2, len(layout.names), 3)
+    turn = 2 * math.pi * torch.arange(300.0) / 60
+    places[..., roles["right_toe"], 2] = 0.2 * turn.sin()[:, None]
+    places[..., roles["right_hand"], 1] = 1.0
+    for side in ("left", "right"):
+        places[..., roles[f"{side}_hip"], 1] = 0.9
+    way = torch.tensor([0.0, 1.2]).expand(299, 2, 2)
+    seen = closed_loop.distributions(layout, places, way)
+    assert torch.allclose(seen["legs"], torch.tensor(0.9))
+    assert torch.equal(seen["root's speed"][0], torch.tensor([0.0, 1.2]))
+    assert sorted(seen["hands"].unique().tolist()) == [0.0, 1.0]
+    levels = np.linspace(0, 100, closed_loop.QUANTILES)
+    for what, values in (("feet", places), ("feet's speeds", places.diff(dim=0) * 60)):
+        ahead = values[..., roles["right_toe"], 2].numpy()
+        assert np.allclose(seen[what].numpy().max(1), np.percentile(ahead, levels).clip(0),
+                           atol=1e-5)
+    assert torch.allclose(closed_loop.tempo(layout, places),
+                          torch.tensor([math.cos(math.pi * lag / 30) for lag in closed_loop.LAGS]),
+                          atol=0.04)
+
+
+def test_rounds_in_closed_loop_bring_the_walk_nearer_to_the_clip(fast, zombie):
+    (model, bank), (quick, _) = tk.pretrained(), fast
+    prior, found = fine_tuning.prior_of(model, bank), []
+    for rounds in (0, 1, 1):
+        loop = closed_loop.ClosedLoop(model, zombie, bank["Neutral"], prior, 1, seed=0)
+        walks = comparison.walks(zombie, quick, bank["Neutral"][None], bank, [])
+        assert len(walks) == 2
+        for _ in range(rounds):
+            vector = loop.round(walks)
+        with torch.no_grad():
+            found.append((float(loop.distance(*loop.walk_on(walks))), loop.vector.detach()))
+    (first, start), (last, learnt), (again, same) = found
+    assert torch.equal(start, bank["Neutral"])
+    assert torch.equal(learnt, vector)
+    assert torch.equal(learnt, same)
+    assert last == again < 0.8 * first
+    # of the clip itself nothing is left
+    roots = root_frames(zombie)
+    places = roots.to_local(zombie.global_positions[:, list(model.layout.skeleton.feature_joints)])
+    way = roots.turn_to_local(contacts.velocities(roots.positions, 60.0))[:, None, [0, 2]]
+    assert float(loop.distance(places[:, None], way)) == 0
 
 
 @pytest.mark.parametrize(("joint", "axis", "seen"), [

@@ -116,7 +116,7 @@ def hierarchy(path: Path, data: bytes) -> tuple[list[Joint], int]:
 def _statements(lines: list[str], first: int) -> Iterator[tuple[int, list[str]]]:
     """Line number and words of every statement; a brace is a statement of its own."""
     for number, line in enumerate(lines, first):
-        for part in re.split("([{}])", line):
+        for part in re.split("([{}])", line) if "{" in line or "}" in line else [line]:
             if words := part.split():
                 yield number, words
 

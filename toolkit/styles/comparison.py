@@ -8,6 +8,7 @@ what a viewer sees.
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import torch
 from torch import Tensor
@@ -95,7 +96,8 @@ def compare(clip: Clip, model: Predictor, style: Tensor | str, bank: StyleBank) 
         raise ValueError(f"{clip.name}: {why}")
     vector = bank[style] if isinstance(style, str) else style
     known = style if isinstance(style, str) else None
-    return compared(clip, model, vector[None], bank, floors_of(bank, vector, known))[0]
+    floors = floors_of(bank, vector, known)
+    return compared(clip, model, walks(clip, model, vector[None], bank, floors), floors)[0]
 
 
 def floors_of(bank: StyleBank, vector: Tensor, name: str | None) -> list[str]:
@@ -104,30 +106,48 @@ def floors_of(bank: StyleBank, vector: Tensor, name: str | None) -> list[str]:
     return [other for other in dict.fromkeys(("Neutral", *near[:1])) if other in near]
 
 
-def compared(clip: Clip, model: Predictor, vectors: Tensor, bank: StyleBank,
-             floors: Sequence[str]) -> list[Comparison]:
-    """Comparisons of K ``vectors [K, D]``, which walk side by side with ``floors``, styles of the
-    bank.
+class Walk(NamedTuple):
+    """Commands, and the states of B characters after each of them."""
 
-    Each walks the path twice, once from the middle of the clip on, and the worse walk counts: a
-    vector that walks well from one start only is of no use.
+    commands: list[runtime.Command]
+    states: list[runtime.CharacterState]
+
+
+def walks(clip: Clip, model: Predictor, vectors: Tensor, bank: StyleBank, floors: Sequence[str],
+          times: int = 1) -> list[Walk]:
+    """K ``vectors [K, D]`` and then ``floors``, styles of the bank, walk side by side on the path
+    of a clip: from its start on, and from its middle on. So many ``times`` this will be asked for.
     """
-    clip = clip.resample(FPS)
-    more = max(0, len(clip) - round(LONGEST * FPS))
-    clip = clip.cut(more // 2, len(clip) - (more - more // 2))
+    clip = middle(clip)
     together = torch.cat([vectors, *(bank[other][None] for other in floors)])
     # of many characters, compiling saves more
-    quick = runtime.quick(model, round(SECONDS * FPS) * len(together) // 4)
+    quick = runtime.quick(model, times * round(SECONDS * FPS) * len(together) // 4)
+    both = [commands(clip, begin) for begin in (0, len(clip) // 2)]
+    return [Walk(ordered, list(runtime.states(quick, ordered, together))) for ordered in both]
+
+
+def compared(clip: Clip, model: Predictor, walked: Sequence[Walk],
+             floors: Sequence[str]) -> list[Comparison]:
+    """A comparison of each vector of `walks`. The worse walk counts: a vector that walks well from
+    one start only is of no use.
+    """
+    clip = middle(clip)
     fixed, twice = {"clip": measures(clip, clip)}, []
-    for begin in (0, len(clip) // 2):
-        walked = list(runtime.states(quick, commands(clip, begin), together))
-        walks = record_all(model, walked[round(WARM_UP * FPS):])
-        beside = dict(zip(floors, walks[len(vectors):], strict=True))
-        others = {other: measures(walk, clip) for other, walk in beside.items()}
-        twice.append([_judged(fixed | {"style": measures(walk, clip)} | others,
-                              {"clip": clip, "style": walk} | beside)
-                      for walk in walks[: len(vectors)]])
+    for walk in walked:
+        made = record_all(model, walk.states[round(WARM_UP * FPS):])
+        styles, others = made[: len(made) - len(floors)], made[len(made) - len(floors):]
+        beside = dict(zip(floors, others, strict=True))
+        rows = {other: measures(one, clip) for other, one in beside.items()}
+        twice.append([_judged(fixed | {"style": measures(one, clip)} | rows,
+                              {"clip": clip, "style": one} | beside) for one in styles])
     return [max(pair, key=Comparison.rank) for pair in zip(*twice, strict=True)]
+
+
+def middle(clip: Clip) -> Clip:
+    """`LONGEST` seconds in the middle of a clip at the model's rate, or all of a shorter one."""
+    clip = clip.resample(FPS)
+    more = max(0, len(clip) - round(LONGEST * FPS))
+    return clip.cut(more // 2, len(clip) - (more - more // 2))
 
 
 def _judged(rows: dict[str, dict[str, float]], clips: dict[str, Clip]) -> Comparison:

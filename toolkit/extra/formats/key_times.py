@@ -62,7 +62,7 @@ def around(keys: np.ndarray, at: np.ndarray,
     at = np.clip(at, keys[0], keys[-1])
     i = np.clip(np.searchsorted(keys, at + early, "right") - 1, 0, len(keys) - 2)
     span = keys[i + 1] - keys[i]
-    return i, span, np.clip((at - keys[i]) / span, 0.0, 1.0)
+    return i, span, np.maximum((at - keys[i]) / span, 0.0)
 
 
 def hermite(t: np.ndarray, first: np.ndarray, second: np.ndarray, out: np.ndarray,
