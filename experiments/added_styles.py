@@ -21,7 +21,7 @@ from toolkit.view import strip
 ABOUT = "Styles learnt from one walking clip each, by their walk beside the clip."
 COMMAND = ("python -m experiments added-styles --root DATA [--fresh] "
            "[--model examples/models/recorded.safetensors] --store")
-WAYS = {"trained": "without the search", "searched": "style add", "floor": "the nearest old style"}
+WAYS = {"trained": "one step ahead", "added": "style add", "floor": "the nearest old style"}
 COLUMNS = {"learnt": ["model, clips", None], "good": ["good", 0], "weak": ["weak", 0],
            "failed": ["failed", 0], "excess": ["median excess", 2],
            "second": ["on a second take", 2], "takes": ["takes", 0]}
@@ -113,7 +113,7 @@ def judged(net: Run, clip: Clip, second: Clip | None) -> tuple[styles.Comparison
     found: dict[str, Any] = {}
     for way, model, bank, name in (
             ("trained", made.model, styles.choose(made, clip, rounds=0)[0], "new"),
-            ("searched", made.model, best.bank, "new"), ("floor", net.model, net.bank, nearest)):
+            ("added", made.model, best.bank, "new"), ("floor", net.model, net.bank, nearest)):
         compared = styles.compare(clip, model, name, bank)
         found |= {way: compared.verdict, f"{way} excess": compared.excess}
         if second is not None:
