@@ -193,7 +193,7 @@ def test_a_joint_more_in_the_thigh_takes_no_role_and_is_said(tmp_path, between, 
 
     Both parts of a person's leg are about equally long.
     """
-    made = rigs.walk("LaFAN1", seconds=1.0, within=(("Knee", between),))
+    made = rigs.walk("LaFAN1", seconds=1.0, within=f"Knee {between}")
     tk.bvh.save(made, tmp_path / "more.bvh")
     doubt = f"{right} is taken for the left {role}, because both parts of the limb are then"
     with pytest.warns(UserWarning, match=doubt):
