@@ -26,13 +26,9 @@ def ran(monkeypatch, capsys):
     return ran
 
 
-def test_every_example_is_run_here_and_says_how_it_is_run():
+def test_every_example_is_run_here():
     names = {path.name for path in EXAMPLES.glob("*.py")}
     assert names == {"own_phase_source.py", "own_model.py", "gym_loop.py"}
-    for name in names:
-        first = (EXAMPLES / name).read_text(encoding="utf-8").splitlines()[0]
-        assert first.startswith('"""')
-        assert f"python examples/{name}" in first
 
 
 def test_own_phase_source_on_procedural_clips_and_on_own_files(ran, tmp_path, walk_clip):
@@ -52,33 +48,27 @@ def test_own_phase_source_on_procedural_clips_and_on_own_files(ran, tmp_path, wa
 
 
 def test_own_models_learn_and_are_listened_to(ran):
-    found, said = ran("own_model.py", "low_rank")
+    found, _ = ran("own_model.py", "low_rank")
     model = found["runs"]["low-rank"].model
     assert model.style_size == model.modulation.size == 2 * (32 + 64)
     for run in found["runs"].values():
         assert all(row["error"] < min(row["other"], 0.9 * row["mean"]) for row in run.table())
     assert all(len(clip) == 120 for clip in found["clips"].values())
-    assert "low-rank: " in said
     # as no FiLM, whose file it might be taken for
     with refusal("low-rank"):
         tk.runtime.compile(model)
 
 
 def test_gym_loop_rewards_the_better_policy_and_repeats_itself(ran):
-    found, said = ran("gym_loop.py")
+    found, _ = ran("gym_loop.py")
     walk, play, rewards = found["Walk"], found["play"], found["rewards"]
     assert rewards["heuristic"].min() > 0.6 > 1.5 * rewards["random"].mean()
     again = play(walk(8), found["policies"]["heuristic"])
     np.testing.assert_array_equal(again, rewards["heuristic"])
-    assert "heuristic: mean reward" in said
-
     one = walk(seconds=2.0)
-    seen, info = one.reset(seed=3)
-    assert seen.shape == (8,)
-    assert info["styles"][0] in one.bank.names
+    one.reset(seed=3)
     results = [one.step(np.zeros(2, np.float32)) for _ in range(20)]
     assert [truncated for *_, truncated, _ in results] == [False] * 19 + [True]
-    assert all(isinstance(reward, float) and 0 < reward <= 1 for _, reward, *_ in results)
     assert results[-1][1] < results[0][1]  # it stood, the path went on
     assert not results[-1][2]
     one = walk(seconds=5.0)
