@@ -209,20 +209,20 @@ def test_a_root_that_stays_while_the_hips_travel(read):
     assert made.fps == 24
 
 
-def test_limbs_without_a_skin_stay_under_a_spine_that_stretches(read):
-    """A skin for the head alone, as some avatars have it, makes the legs no helpers."""
-    nodes = tree(("hips", None), *[(f"spine{i}", i - 1, 0, 1, 0) for i in range(1, 4)],
-                 ("leg_l", 0, 1, 0, 0), ("foot_l", 4, 0, -4, 0),
-                 ("leg_r", 0, -1, 0, 0), ("foot_r", 6, 0, -4, 0),
-                 *[(f"finger{i}", 3, 0, 1, 0) for i in range(20)])
-    spine, leg = ([[x, y + 0.01 * f, 0] for f in range(3)] for x, y in ((0, 1), (1, 0)))
-    for width in (20, 1):  # many fingers in the skin, then one
-        doc = Document(nodes, skins=[{"joints": [1, 2, 3, *range(8, 8 + width)]}]).animate(
-            moving(1, spine), moving(4, leg),
-            *[(j, *TURN) for j in (0, 4, 5, 6, 7)])
-        made = read("a.glb", doc)
-        assert {"hips", "leg_l", "foot_l", "leg_r", "foot_r"} <= set(made.names)
-        assert "leg_l, spine1" in made.doubts[0]
+@pytest.mark.parametrize("above", [0, -1])
+def test_controls_outside_the_skin_are_left_out(read, above):
+    """More animated controls than joints, below the hips (mirrored) or at the scene's top."""
+    nodes = [dict(node) for node in CHAIN]
+    nodes += [{"name": "controls", "children": list(range(4, 24)), "scale": [-1, 1, 1]},
+              *[{"name": f"control{i}"} for i in range(20)]]
+    if above == 0:
+        nodes[0]["children"] = [1, 3]
+    places = [[0, f, 0] for f in range(3)]
+    doc = Document(nodes, skins=[{"joints": [0, 1, 2]}]).animate(
+        (1, *TURN), *[moving(j, places) for j in range(4, 24)])
+    made = read("a.glb", doc)
+    assert made.names == ("hips", "spine", "headEnd")
+    assert len(made.doubts) == 1
 
 
 def test_several_animations_and_names_that_repeat(read, refused, tmp_path):
