@@ -450,6 +450,7 @@ def test_a_pinned_pose_is_taken_where_the_character_stands(fast):
     assert torch.allclose(made.rotations[209, arms].abs(), zombie.rotations[120, arms].abs(),
                           atol=1e-3)
     assert abs(made.global_positions[209, :, 1].amin()) < 0.05
+    assert Shot(**tk.shots.data([shot])["shots"][0]) == shot
     bad = replace(shot, pins=[{"at": 1, "pose": {"Tail": (1, 0, 0, 0)}}])
     with refusal("has the joint 'Tail'"):
         bad.render(model, bank)
