@@ -18,7 +18,7 @@ CELLS = [
     f"""
 import asyncio, json, pathlib, torch
 import course
-from course import charts, style_map
+from course import style_map
 import toolkit as tk
 from toolkit.networks.bank import StyleBank
 model, bank = tk.pretrained()
@@ -49,11 +49,7 @@ shot = tk.shots.Shot([(0, 0), (0, 1)], "Zombie", duration=1, name={COMMENT!r})
 desk = tk.view.Director(model, planted, [shot], height=600)
 desk
 """,
-    f"course.check('01.1', {IMAGE!r})",
     "course.here('01')",
-    f"""
-charts.style_space(points, planted.names, title={COMMENT!r})
-""",
     """
 control = other = None
 async def probe():
@@ -81,7 +77,7 @@ other = tk.view.Controller(tk.runtime.compile(model), planted, size=(240, 180))
 other
 """,
 ]
-CONTROL = 8  # the cell of the first controller
+CONTROL = 6  # the cell of the first controller
 RUN = """async ([index, which]) => {
     const { content, sessionContext } = jupyterapp.shell.currentWidget;
     await sessionContext.ready;
@@ -175,7 +171,7 @@ def test_widgets_in_jupyterlab(browser, lab, tmp_path):
         assert page.locator('img[src="x"]').count() == 0
         assert page.locator(".jp-OutputArea b b").count() == 0
         shown = page.locator(".jp-OutputArea-output").all_text_contents()
-        assert sum(COMMENT in text or IMAGE in text for text in shown) >= 3
+        assert any(IMAGE in text for text in shown)
         errors = [text for text in errors if "favicon" not in text]
         assert {"Failed to initialize" in text for text in errors} == {True}, errors
         with urllib.request.urlopen(f"{lab}/api/kernels") as listed:

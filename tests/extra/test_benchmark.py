@@ -47,7 +47,7 @@ def test_a_judge_sees_neither_place_nor_heading_nor_size(clips):
 
 def test_judges_learn_and_are_stored(clips, tmp_path, monkeypatch):
     monkeypatch.setattr("experiments.stylewalk.STEPS", 30)
-    own = [clip.replace(style=clip.style) for clip in clips.values()]
+    own = [*clips.values()]
     judges = train([own, own, own])
     for name in KINDS:
         assert [judges.style(name, clip) for clip in own] == ["Neutral", "Zombie"]
