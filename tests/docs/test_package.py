@@ -16,7 +16,6 @@ import torch
 import yaml
 
 import toolkit as tk
-from toolkit import __main__
 
 REPOSITORY = Path(__file__).parents[2]
 DRAWING = {"IPython", "PIL", "anywidget", "av", "ipywidgets", "jupyter_client", "jupyterlab",
@@ -49,15 +48,8 @@ def test_nothing_is_loaded_before_it_is_needed_and_one_line_names_what_is_missin
     assert not list(tmp_path.iterdir())
 
 
-def test_help_says_what_the_verbs_say():
-    for name, command in __main__.app.commands.items():
-        own = " ".join(command.imported.help.split("\n\n")[0].split())
-        assert own.startswith(__main__.VERBS[name][1].removesuffix(".")), name
-
-
 def test_public_names_are_listed_and_there():
-    assert {"Clip", "Skeleton", "pretrained", "bvh", "view",
-            "runtime"} <= set(dir(tk)) == set(tk.__all__)
+    assert set(dir(tk)) == set(tk.__all__)
     for name in tk.__all__:
         assert getattr(tk, name) is not None
     assert tk.Clip is tk.motion.Clip
@@ -184,7 +176,7 @@ def test_a_datasets_name_means_the_dataset_where_a_folder_has_that_name(tmp_path
 
 
 @pytest.mark.filterwarnings("ignore:walk.bvh: ")  # on a busy machine the training is no training
-def test_the_demo_works_on_a_small_budget(tmp_path, monkeypatch, command):
+def test_the_demo_works_on_a_small_budget(tmp_path, monkeypatch):
     from toolkit.cli import demo
 
     monkeypatch.setattr(demo, "SPEED", 20.0)  # the figure of eight in few frames
@@ -194,7 +186,6 @@ def test_the_demo_works_on_a_small_budget(tmp_path, monkeypatch, command):
     assert [f.name for f in files] == ["walk.bvh", "walk.html", "report.txt", "model.safetensors",
                                        "controller.html"]
     frames = len(tk.bvh.load(files[0]))
-    assert not re.search(r"""(src|href)\s*=\s*["']?https?:""", files[1].read_text(encoding="utf-8"))
     report = files[2].read_text(encoding="utf-8")
     assert f" {frames:,} frames" in report
     error, repeat = re.search(r"squared error (\S+) .* repeating the frame (\S+)\)",
@@ -205,10 +196,6 @@ def test_the_demo_works_on_a_small_budget(tmp_path, monkeypatch, command):
     for k, share in enumerate(alone):
         for at in (k, min(k + 0.2, 4)):  # it stays a while
             assert torch.allclose(weights[round(at * (frames - 1) / 4)], share)
-    style, walk = f"{demo.STYLES[0]}=0.5,{demo.STYLES[1]}=0.5", tmp_path / "new" / "walk.bvh"
-    said = command(f"rollout --model {files[3]} --style {style} --seconds 0.5 --out {walk}").out
-    assert re.search(r"30 frames, \d\.\d\d m/s", said)
-    assert len(tk.bvh.load(walk)) == 30
 
 
 def test_version_is_the_same_everywhere():

@@ -33,11 +33,10 @@ def test_the_mesh_of_a_file_is_read_whole(hero):
     assert len(found.skeleton) == 35
     assert found.mesh.weights.sum(1) == pytest.approx(1.0)
     assert 1.2 < np.ptp(found.points[:, 1]) < 1.8
-    # those of the vertices: blue on the left, orange on the right, light between
+    # those of the vertices: blue on the left, orange on the right
     seen = found.mesh.colors.astype(int)
-    assert [(seen[:, 2] - seen[:, 0] > 40).mean() > 0.1,
-            (seen[:, 0] - seen[:, 2] > 60).mean() > 0.1] == [True, True]
-    assert (seen.min(1) > 190).mean() > 0.1
+    assert (seen[:, 2] - seen[:, 0] > 40).mean() > 0.1
+    assert (seen[:, 0] - seen[:, 2] > 60).mean() > 0.1
     points, normals = found.skin.pose(found.rest.global_rotations[0],
                                       found.rest.global_positions[0])
     np.testing.assert_allclose(points, found.points, atol=1e-5)

@@ -141,17 +141,6 @@ def test_legs_and_arms_out_of_reach_bend_alike(pretrained):
     assert (places[0] - places[1]).norm(dim=-1).max() < 1e-3
 
 
-def test_published_parameters_run_alike(shared):
-    model, bank = tk.published.load(shared / "lpn_film_100style")
-    compiled = runtime.compile(model)
-    styles = torch.stack([bank[name] for name in ("Neutral", "Zombie", "Aeroplane")])
-    places = []
-    for runs in (model, compiled):
-        *_, last = runtime.states(runs, runtime.straight(1.2, 0.5), styles)
-        places.append(runtime.world_joints(model.layout, last)["position"])
-    assert (places[0] - places[1]).norm(dim=-1).max() < 1e-3
-
-
 def test_roll_gives_the_same_bits(pretrained):
     model, compiled, bank = pretrained
     first, vector = runtime.start(model, bank["Old"]), bank["Old"]

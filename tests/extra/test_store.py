@@ -55,10 +55,8 @@ def test_it_gives_the_features_of_build_bit_for_bit(made, in_memory):
     for kind in (*KINDS, "takes", "frames", "spans"):
         for style in STYLES:
             rows, expected = getattr(stored, kind)[style], getattr(in_memory, kind)[style]
-            assert torch.equal(rows[:], expected)
-            some = torch.tensor([1, 0, len(rows) - 1])
-            assert torch.equal(rows[some], expected[some])
-            assert torch.equal(rows[1], expected[1])
+            for some in (slice(None), torch.tensor([1, 0, len(rows) - 1]), 1):
+                assert torch.equal(rows[some], expected[some])
     # of a symmetric style all but idling twice, of the other none
     takes = {style: len(stored.takes[style]) / (300 - 111) for style in STYLES}
     assert takes == {STYLES[0]: 3, STYLES[1]: 2}
@@ -71,8 +69,6 @@ def test_a_store_of_a_list_has_its_parts_also_if_only_some_styles_are_read(tmp_p
     clips, listing = tk.datasets.load("100style", root), tk.datasets.split("100style", root)
     data = tk.features.splits.listed(clips, listing)
     parts = tk.training.split(data, 0.1, 0, STYLES)
-    tested = {style: len(x) for style, x in parts[1].inputs.items()}
-    assert tested == dict.fromkeys(STYLES, 240 - 111)
     for styles in (STYLES, STYLES[1:]):
         stored = tk.features.store.load(out, styles)
         found = tk.training.split(stored, 0.3, 5, styles)

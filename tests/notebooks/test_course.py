@@ -43,17 +43,6 @@ def test_figures_ask_no_server_and_use_code_that_the_map_brings():
     assert "Plotly.newPlot" in bundle["text/html"]
 
 
-def test_a_film_is_a_page_in_a_frame(hop):
-    html = course.film(hop, title='A "hop"').html
-    assert html.startswith('<iframe srcdoc="&lt;!doctype html&gt;')
-    assert html.count("<") == 2  # nothing of the page ends the frame
-
-
-@pytest.fixture(scope="module")
-def hop() -> tk.Clip:
-    return tk.datasets.procedural.generate("HopLeft", seconds=1.0)
-
-
 def test_claims_stand_only_if_they_are_true():
     assert course.claim("2 < 3", 2 < 3)._repr_markdown_() == "2 < 3"
     assert course.learnt({"a": True, "b": torch.tensor(True)})._repr_markdown_() == "* a\n* b"
@@ -71,12 +60,9 @@ def test_differences_do_not_tell_the_answer():
     assert "the numbers are not" in differs([1.0, 2.0], torch.ones(2), 1e-3)
     assert "2" not in differs(1.5, 2.0, 1e-3)
     assert differs(float("nan"), 1.0, 1e-3)
-
-
-@pytest.mark.parametrize("got", [True, np.True_, torch.tensor(True), torch.ones(1), 1, np.int8(1)])
-def test_truth_has_many_forms(got):
-    assert not differs(got, True, 0)
-    assert differs(got, False, 0)
+    for truth in (torch.tensor(True), torch.ones(1), np.int8(1)):
+        assert not differs(truth, True, 0)
+        assert differs(truth, False, 0)
     for other in (2, "True", torch.ones(2), [True]):
         assert differs(other, True, 0)
 

@@ -61,10 +61,8 @@ def test_weights_that_are_not_finite_are_not_written_or_read(tmp_path):
     ("model.outputs_mean", lambda t: t + 1e30, "not finite, or beyond 1e+30"),
     ("model.experts.layers.0.weight", lambda t: t.long(), "expected 'float', got torch.int64"),
     ("bank.vectors", lambda t: t[:, :4], "style vectors [4] of a model that takes"),
-    ("bank.speeds", lambda t: t / 0, "bank.speeds has numbers that are not finite"),
     ("bank", lambda names: "ab"[: len(names)], "expected a list of names, got the text 'ab'"),
     ("n_styles", lambda _: 2**62, "a model has 1 to 100000 styles, got"),
-    ("n_styles", lambda _: True, "a model has 1 to 100000 styles, got True"),
     ("layout", lambda of: of | {"offsets": [[1e30] * 3] * len(of["names"])}, "at most 1e+06 m"),
     ("layout", lambda of: of | {"phase_limbs": ["left_hand", 1]}, "must be named by a text, got 1"),
     ("history", lambda _: "abc", "its history is 'abc'"),
@@ -97,10 +95,6 @@ def test_a_description_of_more_than_16_megabytes_is_refused_before_it_is_parsed(
 def test_a_rollout_without_end_is_refused_before_it_starts(command):
     said = command("rollout --style Neutral --out never.bvh --seconds 1e7", status=2).err
     assert "--seconds" in said
-    with refusal("at most 86400"):
-        tk.runtime.straight(1.0, 1e7)
-    with refusal("at most"):
-        tk.runtime.follow([(0.0, 0.0), (1.0, 0.0)], seconds=1e7)
 
 
 PLANTED = ("<img src=x onerror=window.hacked=1>", "</script><script>window.hacked=1</script>",

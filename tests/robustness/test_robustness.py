@@ -30,12 +30,16 @@ def test_mutated_inputs_are_read_or_refused_in_one_line(readers, target):
     assert tally.counts["deep"]
 
 
+def chain(joints: int, channels: str = "") -> str:
+    """The hierarchy of a BVH file in which each joint hangs on the one before."""
+    return "".join(f"JOINT j{i}\n{{\n{channels}" for i in range(joints)) + "}\n" * joints
+
+
 def test_a_small_bvh_takes_little_memory_whatever_it_claims(tmp_path):
     joints, rows = 3000, 30_000  # 3 × 3000 channels by 30,000 frames would be 2 GB
-    chain = "".join(f"JOINT j{i}\n{{\nCHANNELS 3 Xrotation Yrotation Zrotation\n"
-                    for i in range(joints)) + "}\n" * joints
+    three = chain(joints, "CHANNELS 3 Xrotation Yrotation Zrotation\n")
     path = tmp_path / "walk.bvh"
-    path.write_text(f"HIERARCHY\nROOT r\n{{\n{chain}}}\nMOTION\nFrames: {rows}\nFrame Time: 0.1\n"
+    path.write_text(f"HIERARCHY\nROOT r\n{{\n{three}}}\nMOTION\nFrames: {rows}\nFrame Time: 0.1\n"
                     + "1\n" * rows)
     tracemalloc.start()
     with pytest.raises(bvh.BVHError, match=rf"walk\.bvh.*expected {3 * joints} numbers, got 1"):
@@ -46,14 +50,13 @@ def test_a_small_bvh_takes_little_memory_whatever_it_claims(tmp_path):
 
 
 def test_joints_without_channels_times_frames_are_not_taken_at_their_word(tmp_path):
-    joints = 2000
-    chain = "".join(f"JOINT j{i}\n{{\n" for i in range(joints)) + "}\n" * joints
     path = tmp_path / "walk.bvh"
     said = r"walk\.bvh.*2001 joints in 2000 frames, but only 1 channels"
     for frames, loads in ((100, contextlib.nullcontext()),
                           (2000, pytest.raises(bvh.BVHError, match=said))):
         motion = f"MOTION\nFrames: {frames}\nFrame Time: 0.1\n" + "1\n" * frames
-        path.write_text(f"HIERARCHY\nROOT r\n{{\nCHANNELS 1 Xrotation\n{chain}}}\n{motion}")
+        path.write_text("HIERARCHY\nROOT r\n{\nCHANNELS 1 Xrotation\n" + chain(2000) + "}\n"
+                        + motion)
         with loads:
             assert len(bvh.load(path, unit=0.01, up="y")) == frames
 
