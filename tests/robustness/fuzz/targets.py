@@ -58,15 +58,11 @@ WORK = [f"toolkit.{name}" for name in (
     "cli.demo.embedded", "cli.demo.make", "cli.style.learn", "cli.stylize.stylize",
     "cli.train_stylizer.build", "cli.data.fetch")]
 VALUES = ("", "x", "-", "--", "0", "1", "-1", "3", "0.05", "nan", "inf", "-inf", "1e308", "1e-320",
-          "9" * 30, "9" * 400,
-          "\x1b[31m", "é", "a\nb", "\ud800", "a" * 300, "Neutral", "Zombie",
-          "Neutral=0.5,Zombie=0.5", "Neutral=nan",
-          "Neutral=1e308", "a=b=c", ",", "=", "FW", "procedural", "100style", "bandai", "xia",
-          "lpn-film", "cpu",
-          "cuda", "cuda:99", "bf16", "hybrid", "contact", "a.bvh", "a.html", "a.png",
-          "a.nothing", "none/a.bvh",
-          "folder", "good.bvh", "bad.bvh", "good.safetensors", "bad.safetensors", "/dev/null/a.bvh",
-          "./..",
+          "9" * 30, "9" * 400, "\x1b[31m", "é", "a\nb", "\ud800", "a" * 300, "Neutral", "Zombie",
+          "Neutral=0.5,Zombie=0.5", "Neutral=nan", "Neutral=1e308", "a=b=c", ",", "=", "FW",
+          "procedural", "100style", "bandai", "xia", "lpn-film", "cpu", "cuda", "cuda:99", "bf16",
+          "hybrid", "contact", "a.bvh", "a.html", "a.png", "a.nothing", "none/a.bvh", "folder",
+          "good.bvh", "bad.bvh", "good.safetensors", "bad.safetensors", "/dev/null/a.bvh", "./..",
           "adv", "sty,ds")
 
 
