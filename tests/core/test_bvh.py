@@ -258,13 +258,6 @@ def test_a_position_that_float32_cannot_hold_is_refused(tmp_path):
         load(write(tmp_path, GOOD.replace("1 90 0 0", "1e308 90 0 0")))
 
 
-@given(st.integers(0, len(GOOD) - 3))
-def test_no_cut_of_a_file_gives_anything_but_a_clear_error(tmp_path_factory, length):
-    path = write(tmp_path_factory.mktemp("cut"), GOOD[:length])
-    with pytest.raises(bvh.BVHError, match=r"line \d+: "):
-        load(path)
-
-
 @pytest.mark.parametrize(("text", "fps"), [
     ("0.033333", 30), (".033", 30), ("0.0083", 120), ("0.0167", 60), ("0.04", 25), ("0.0417", 24),
     ("0.033367", 1 / 0.033367), ("0.016", 62.5), ("0.0125", 80), ("3.33333e-2", 30)])

@@ -1,6 +1,5 @@
 """Features: widths, meaning against slow loops, invariance, errors."""
 
-import dataclasses
 import itertools
 import math
 
@@ -33,6 +32,7 @@ def test_widths_are_the_papers(walk_clip):
 
 
 def test_rows_are_positions_and_velocities_in_the_root_frame(walk_clip):
+    walk_clip = walk_clip.moved(turn=-1.2, shift=(4.0, 0.0, 2.0))
     rows = frames(walk_clip)
     layout, roots = Layout(walk_clip.skeleton), root_frames(walk_clip)
     position = walk_clip.global_positions[:, list(walk_clip.skeleton.feature_joints)]
@@ -61,20 +61,12 @@ def test_rows_are_positions_and_velocities_in_the_root_frame(walk_clip):
     assert_close(updates, there - rows.phases)
 
 
-def test_features_do_not_change_when_the_character_is_moved_or_turned(walk_clip):
-    here, there = frames(walk_clip), frames(walk_clip.moved(turn=-1.2, shift=(4.0, 0.0, 2.0)))
-    assert (here.inputs - there.inputs).abs().max() < 2e-3
-    assert (here.outputs - there.outputs).abs().max() < 2e-3
-
-
 def test_packing_refuses_what_does_not_fit(walk_clip):
     layout = Layout(walk_clip.skeleton)
     window, joints = torch.zeros(5, 48), torch.zeros(5, 300)
     assert layout.pack_input(trajectory=window, joints=joints).shape == (5, 348)
     with refusal("expected the blocks trajectory, joints; got joints"):
         layout.pack_input(joints=joints)
-    with refusal("block 'joints' needs 300 columns"):
-        layout.pack_input(trajectory=window, joints=joints[..., :11])
 
 
 @pytest.mark.parametrize("sizes", [(3, 5), (0, 1), (1, 0), (400, 2, 30)])
@@ -180,18 +172,6 @@ def test_the_ground_is_where_toes_in_contact_are_also_below_zero(two_walks):
         flying.outputs[style] = rows[:].clone()
         flying.outputs[style][:, flying.layout.outputs["contacts"]] = 0.0
     assert flying.ground() == pytest.approx(0.02)
-
-
-def test_normalisers_are_over_all_styles(two_walks):
-    clips = [two_walks[0], two_walks[1].replace(style="Twin")]
-    data = features.build(clips, source="contact")
-    found = data.normalisers()
-    assert list(found) == ["inputs", "phases", "outputs", "clips"]
-    for kind, normaliser in found.items():
-        expected = Normaliser.of(torch.cat([*getattr(data, kind).values()]))
-        assert_close(vars(normaliser), vars(expected), rtol=1e-5, atol=1e-5)
-    given = {"inputs": Normaliser.of(torch.ones(2, 3))}
-    assert dataclasses.replace(data, statistics=given).normalisers() == given
 
 
 def test_bad_clips_are_refused_by_name(walk_clip):

@@ -215,18 +215,6 @@ def test_a_download_that_was_whole_when_it_was_stopped_stays_as_it_is(server, tm
     assert (tmp_path / "it.zip").read_bytes() == server.content
 
 
-def test_a_wrong_checksum_is_refused_and_the_file_removed(root, server, command):
-    right, wrong = server.content, bytearray(server.content)
-    wrong[-1] ^= 1
-    server.content = bytes(wrong)
-    said = command("data fetch 100style --yes", status=2).err
-    assert said.count("\n") == 1
-    assert re.search(rf"{sha256(right)}.*{sha256(wrong)}.*refused \(removed;", said)
-    assert left(root) == []
-    server.content = right
-    assert get()["files"] == 5
-
-
 def test_an_answer_that_stays_no(root, server):
     for plan, problem in ((["404"], "answers 404 Not Found"), (["302 /x"] * 40, "30 redirects")):
         server.plan.extend(plan)
@@ -281,9 +269,6 @@ def test_damaged_archives_are_refused(root, tmp_path, members):
 
     whole = zipped(members)
     refused(b"<!DOCTYPE html><title>Log in</title>", r"not a whole zip archive .*<!DOCTYPE html>")
-    middle = whole.index(b"100STYLE/Frame_Cuts.csv") + 200
-    wrong = bytes([whole[middle] ^ 255])
-    refused(whole[:middle] + wrong + whole[middle + 1 :], "not a whole zip archive")
     # a member says that it is smaller than it is
     size = len(members["100STYLE/Dataset_List.csv"]).to_bytes(4, "little")
     refused(whole.replace(size, (20).to_bytes(4, "little")), "not a whole zip archive")
@@ -332,9 +317,8 @@ def test_the_command_shows_size_and_terms_and_asks(root, server, command, monkey
         keyboard = io.StringIO(f"{answer}\n")
         keyboard.isatty = lambda: True
         monkeypatch.setattr(sys, "stdin", keyboard)
-        said = command("data fetch 100style", status=code).out
+        command("data fetch 100style", status=code)
         assert root.exists() == (answer == "y")
-    assert "(as published)" in said
     assert "is there already" in command("data fetch 100style").out
 
 

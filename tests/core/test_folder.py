@@ -1,7 +1,6 @@
 """Training on a folder of one's own."""
 
 import dataclasses
-import re
 import shutil
 
 import pytest
@@ -111,9 +110,6 @@ def test_what_is_left_out_is_said(copied, walk):
     assert "1.0 s; a clip of 1.9 s is needed" in why["Short_walk.bvh"]
     assert "line 4" in why["Broken_walk.bvh"]
     assert "another size" in why["Child_walk.bvh"]
-    lines = list(found.lines(copied))
-    assert lines[0] == "5 files, 1,500 frames, 0.4 minutes; 28 body joints of 28"
-    assert "  Neutral run: 1 file, 300 frames, 5.0 s" in lines
     with pytest.warns(UserWarning, match=r"3 files left out: Broken_walk.bvh: .*; Child_walk.bvh: "
                                          r"a body of .*; Short_walk.bvh: 1.0 s; a clip"):
         assert len(tk.datasets.load("folder", copied)) == 5
@@ -123,13 +119,7 @@ def test_files_of_other_rigs_can_be_retargeted(copied, walk):
     other = retargeting.retarget(walk, rig("A-pose", joints=with_twists))
     tk.bvh.save(other, copied / "Other_walk.bvh")
     with pytest.warns(UserWarning, match="1 file left out: Other_walk.bvh: other joints than most"):
-        mixed = tk.datasets.load("folder", copied)
-    clips = [*mixed, other.replace(style="Other")]
-    with refusal("its joints differ") as error:
-        tk.features.build(clips)
-    call = re.search(r"clips = (\[.* in clips\]), or", str(error.value))[1]
-    alike = eval(call, {"toolkit": tk, "clips": clips})
-    assert tk.features.build(alike).styles == ["Neutral", "Other", "Zombie"]
+        tk.datasets.load("folder", copied)
     pose = tk.motion.rotations.identity(1, len(SKELETON))
     target = tk.Clip(SKELETON, pose, torch.zeros(1, 3), 60.0)
     clips = tk.datasets.load("folder", copied, target=target)
@@ -150,8 +140,6 @@ def test_bad_tables_are_refused_in_a_line(tmp_path, motions, table, said):
 
 
 def test_a_folder_of_nothing_is_refused(tmp_path):
-    with refusal("no file can be used; expected recordings"):
-        folder.survey(tmp_path)
     (tmp_path / "a.bvh").write_text("nothing")
     with refusal(r"no file can be used \(a.bvh: .*expected HIERARCHY"):
         folder.survey(tmp_path)
@@ -163,4 +151,3 @@ def test_a_folder_is_surveyed_and_read_by_the_verbs(copied, capsys):
     assert "4 files, 1,200 frames, 0.3 minutes; 28 body joints of 28" in capsys.readouterr().out
     with refusal("is the folder to read; --root is for datasets with a na"):
         dataset(str(copied), copied)
-    assert tk.features.build(tk.datasets.load("folder", copied)).styles == ["Neutral", "Zombie"]

@@ -13,38 +13,10 @@ from toolkit.motion.tensors import as_tensor
 from toolkit.networks.bank import StyleBank
 
 
-def things(clip, run) -> dict:
-    """One of each kind that a user sees often."""
-    data, state = tk.features.build(clip), runtime.start(run.model, run.bank["Zombie"])
-    large = StyleBank([f"Style{i:03d}" for i in range(100)], torch.zeros(100, 2048))
-    return {
-        "Skeleton": clip.skeleton, "Clip": clip, "RootFrames": tk.motion.root_frames(clip),
-        "Layout": data.layout, "Features": data, "Normaliser": data.normalisers()["inputs"],
-        "Phases": tk.phases.extract(clip), "Model": run.model, "StyleBank": large,
-        "Run": tk.training.run.Run(run.model, large), "Config": run.config,
-        "CharacterState": state,
-        "Command": runtime.Command(torch.zeros(100, 2), torch.ones(100, 2)),
-    }
-
-
-def test_representations_are_short_and_show_no_tensor(walk_clip, small_run):
-    for name, thing in things(walk_clip, small_run).items():
-        lines = repr(thing).splitlines()
-        assert lines[0].startswith(f"{name}("), name
-        assert len(lines) <= 5, name
-        assert max(map(len, lines)) <= 125, name
-        assert "tensor(" not in repr(thing), name
-        assert "…)" not in lines[-1], name  # nothing of what was to be said is cut off
-
-
 def test_a_bank_is_a_mapping(small_run):
     bank = small_run.bank
     assert isinstance(bank, collections.abc.Mapping)
-    assert list(bank.keys()) == ["Neutral", "Zombie"]
-    assert "Zombi" not in bank
-    assert torch.equal(torch.stack([*bank.values()]), bank.vectors)
-    assert bank.get("Zombi") is None
-    assert torch.equal({**bank}["Zombie"], bank["Zombie"])
+    assert list(bank) == ["Neutral", "Zombie"]
     with pytest.raises(KeyError, match=r"^unknown style 'Zombi'; close to it: Zombie$"):
         bank["Zombi"]
     assert {bank: 1}[bank] == 1  # a bank equals itself alone

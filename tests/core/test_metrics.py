@@ -217,7 +217,7 @@ def test_a_report_has_a_row_of_the_real_data_and_says_what_is_missing(walks):
     assert made["skate-rsmt"] == pytest.approx(mean)
     assert made["geodesic"] == pytest.approx(metrics.geodesic(clip, real) / 2)
     assert truth["npss"] == 0.0
-    assert all(text in repr(found) for text in ("real (2)", "they need a recogniser"))
+    assert "they need a recogniser" in " ".join(found.notes)
     assert "they need real clips" in tk.evaluation.report(clip).notes[0]
     odd = tk.evaluation.report([clip, clip], real)
     assert "npss" not in odd.rows[0]
@@ -251,18 +251,6 @@ def test_the_verb_measures_anybodys_files(tmp_path, command, walks, monkeypatch)
     assert said == "error: tables as CSV or LaTeX need pandas: pip install pandas\n"
 
 
-def test_planted_feet_do_not_skate_and_a_carried_clip_does(walk_clip):
-    truth = tk.contacts.detect(walk_clip)
-    assert max(metrics.foot_skate(walk_clip, truth).values()) < 0.05
-    carried = damages.carried(walk_clip, 0.3)
-    assert min(metrics.foot_skate(carried, truth).values()) == pytest.approx(0.3, abs=0.03)
-    assert min(metrics.foot_skate(carried).values()) > 0.25  # a low toe counts at any speed
-    hop = tk.datasets.procedural.generate("HopLeft", seconds=2.0)
-    assert MEASURES["skate"](hop) == pytest.approx(metrics.foot_skate(hop)["left"], rel=1e-5)
-    none = torch.zeros(len(walk_clip), 2)
-    assert all(math.isnan(v) for v in metrics.foot_skate(walk_clip, none).values())
-
-
 def test_feet_of_a_figure_computed_by_hand():
     """The hips rise by 10 cm in a hop of nine frames, and the toes with them."""
     hop = torch.zeros(41)
@@ -273,6 +261,7 @@ def test_feet_of_a_figure_computed_by_hand():
     found = metrics.feet(still.replace(root_positions=root), on)
     assert found["clearance"] == pytest.approx(0.1, abs=1e-5)
     assert found["skate"] == 0.0
+    assert all(map(math.isnan, metrics.foot_skate(still, torch.zeros(41, 2)).values()))
     assert found["steps"] == pytest.approx(2 * 20 / 41)
     rise = hop.diff() * 20.0
     assert found["acceleration"] == pytest.approx(float(rise.diff().abs().max() * 20), rel=0.1)

@@ -74,17 +74,6 @@ def test_a_style_is_added_to_it(run, penguin, monkeypatch):
     assert new.losses[-1] < new.losses[0]
 
 
-def test_gradients_go_through_frames_that_are_fed_back(run):
-    style = run.bank["Zombie"].clone().requires_grad_()
-    state = tk.runtime.start(run.model, style)
-    for command in tk.runtime.straight(1.0, 0.1):
-        state = tk.runtime.step(run.model, state, command)
-    (gradient,) = torch.autograd.grad(state.joints.square().sum(), style)
-    assert gradient.isfinite().all()
-    assert gradient.abs().max() > 0
-    assert not tk.runtime.start(run.model, run.bank["Zombie"]).joints.requires_grad
-
-
 def test_the_command_line_trains_a_model_of_ones_own_and_walks_with_it(
         tmp_path, monkeypatch, command):
     folder = tmp_path / "my files"

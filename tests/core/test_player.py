@@ -1,6 +1,5 @@
 import base64
 
-import numpy as np
 import pytest
 import torch
 
@@ -30,8 +29,6 @@ def test_the_page_gets_a_body_once_and_every_motion(clip, other):
     player.show(other, labels=["<data>"])
     assert (player.clips[0]["label"], player.clips[0]["frames"]) == ("<data>", 30)
     assert changes == ["clips"]  # the body is there
-    root = np.frombuffer(base64.b64decode(player.clips[0]["root"]), np.float32).reshape(-1, 3)
-    np.testing.assert_allclose(root, other.root_positions, atol=1e-6)
     player.close()
     assert (player.clips, player.skeletons, player.shown) == ([], [], [])
 

@@ -76,11 +76,8 @@ def test_feet_are_planted_and_bodies_upright_and_smooth(style, gait):
         assert 2 * both / float(found.sum() + known.contacts.sum()) >= 0.95
 
 
-def test_the_same_seed_gives_the_same_bytes_and_another_one_another_path():
-    one, two = (procedural.load(["Drunk"], ["TR1"], 3.0, 7)[0] for _ in range(2))
-    assert one.rotations.numpy().tobytes() == two.rotations.numpy().tobytes()
-    assert one.root_positions.numpy().tobytes() == two.root_positions.numpy().tobytes()
-    other = procedural.load("Drunk", "TR1", 3.0, 8)[0]
+def test_another_seed_gives_another_path():
+    one, other = (procedural.load("Drunk", "TR1", 3.0, seed)[0] for seed in (7, 8))
     assert (one.root_positions - other.root_positions).abs().max() > 0.1
 
 

@@ -128,8 +128,6 @@ def test_a_style_that_hardly_walks_is_doubted(shared, tmp_path, command, style, 
 
 
 def test_missing_and_damaged_files_are_named(tmp_path):
-    with refusal("no such folder"):
-        tk.published.load(tmp_path / "nowhere")
     for name, shape in parameters.SHAPES.items():
         with (tmp_path / f"{name}.bin").open("wb") as file:
             file.truncate(4 * math.prod(shape))

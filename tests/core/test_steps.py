@@ -126,23 +126,6 @@ def test_a_raised_foot_never_stands(gait):
     assert tk.phases.Hybrid().choice(clip, "right_foot") == "contact-free"
 
 
-def test_phases_of_the_steps_follow_starts_stops_turns_and_runs():
-    """Labels by the rule of a person's, from true contacts; other seeds than the experiment's."""
-    old, new, floors = [], [], []
-    for style, seed in (("Drunk", 15), ("Zombie", 13), ("Neutral", 11)):
-        take = labels.planned(style, "TR1", 20.0, seed)
-        old.append(labels.errors(take, "contact"))
-        new.append(labels.errors(take, "hybrid"))
-        floors.append(labels.floor(take))
-    old, new, floors = (torch.stack(rows) for rows in (old, new, floors))
-    assert new.max() < 20
-    assert (new - floors).max() < 12
-    assert new.mean() < 0.85 * float(old.mean())
-    for clip in disturbed(take.clip).values():
-        other = replace(take, clip=clip)
-        assert labels.errors(other, "hybrid").max() < 18
-
-
 def test_labelled_recordings_are_followed(shared):
     """Holden et al. 2017: every take in the folder, as it is and at another rate."""
     folder = shared / labels.NAME
