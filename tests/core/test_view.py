@@ -9,36 +9,13 @@ from refusal import refusal
 from scipy.spatial import cKDTree
 
 from toolkit import view
-from toolkit.datasets.procedural import SKELETON
 from toolkit.motion import Clip, Skeleton, rotations as R
 from toolkit.view.render import mannequin as body, picture, stage
 
 
-def walk(frames: int = 60, style: str = "Neutral", turned: torch.Tensor | None = None) -> Clip:
-    """Swinging limbs over a straight path, in strides of a second.
-
-    ``turned`` gives every joint other local axes without changing the motion.
-    """
-    skeleton, t = SKELETON, torch.arange(frames) / 60
-    q = R.identity(frames, len(skeleton))
-    for name, sign in (("LeftHip", 1), ("RightHip", -1), ("LeftShoulder", -1),
-                       ("RightShoulder", 1)):
-        q[:, skeleton.index(name)] = R.from_axis_angle(
-            torch.tensor([1.0, 0, 0]), sign * 0.5 * torch.sin(2 * np.pi * t)
-        )
-    positions = torch.stack((0 * t, 0.94 + 0.02 * torch.cos(4 * np.pi * t), 1.2 * t), -1)
-    if turned is not None:
-        above = q.clone()
-        above[:, 1:] = R.multiply(R.inverse(turned), above[:, 1:])
-        q = R.multiply(above, turned)
-        offsets = R.rotate(R.inverse(turned), skeleton.offsets)
-        skeleton = Skeleton(skeleton.names, skeleton.parents, offsets)
-    return Clip(skeleton, q, positions, 60, style, "FW")
-
-
 @pytest.fixture(scope="module")
-def clip() -> Clip:
-    return walk()
+def clip(walk_clip) -> Clip:
+    return walk_clip.cut(0, 60)
 
 
 # the body
@@ -65,7 +42,10 @@ def bent(clip: Clip, **degrees: float) -> Clip:
 def test_the_body_does_not_depend_on_the_rigs_local_axes(clip):
     # X -> y -> z -> x.
     q = R.from_axis_angle(R.normalize(torch.tensor([1.0, 1.0, 1.0])), torch.tensor(2 * np.pi / 3))
-    other = walk(turned=q)
+    old, above = clip.skeleton, clip.rotations.clone()
+    above[:, 1:] = R.multiply(R.inverse(q), above[:, 1:])
+    skeleton = Skeleton(old.names, old.parents, R.rotate(R.inverse(q), old.offsets))
+    other = clip.replace(skeleton=skeleton, rotations=R.multiply(above, q))
     torch.testing.assert_close(other.global_positions, clip.global_positions, atol=1e-5, rtol=0)
     mine, theirs = (drawn(c, 7)[0] for c in (clip, other))
     assert body._Places(clip).rest
@@ -173,7 +153,7 @@ def tone(picture: np.ndarray, name: str) -> np.ndarray:
 
 def test_strip_draws_every_clip(drawer, clip, tmp_path):
     path = tmp_path / "strip.png"
-    figure = view.strip([clip, walk(style="Zombie")], path, frames=3, width=5, dpi=60,
+    figure = view.strip([clip, clip.replace(style="Zombie")], path, frames=3, width=5, dpi=60,
                         contacts=[None, torch.ones(60, 2)])
     assert [axes.texts[0].get_text() for axes in figure.axes] == ["Neutral FW", "Zombie FW"]
     drawn = np.asarray(Image.open(path).convert("RGB"))
@@ -210,9 +190,11 @@ def test_a_stage_shows_points_where_its_camera_sees_them(drawer, clip):
         np.testing.assert_allclose(seen, [100 + middle[0], 80 - middle[1]], atol=7)
 
 
-def test_poses_of_a_strip_show_different_parts_of_a_stride(clip):
+def test_poses_of_a_strip_show_different_parts_of_a_stride(walk_clip, clip):
     """A stride is 60 frames; at equal times, all poses of six seconds would be alike."""
-    at = picture.instants(walk(361), 7)
+    again = 100 + torch.arange(361) % 60
+    rotations, roots = walk_clip.rotations[again], walk_clip.root_positions[again]
+    at = picture.instants(clip.replace(rotations=rotations, root_positions=roots), 7)
     phases = np.sort(at % 60)
     assert (np.diff(at) > 30).all()
     np.testing.assert_allclose(np.diff(phases), 60 / 7, atol=2)
@@ -226,7 +208,7 @@ def test_poses_of_a_strip_show_different_parts_of_a_stride(clip):
 
 
 def test_an_animation_plays_at_the_clips_speed(clip, tmp_path):
-    path = view.animate([clip, walk(30, style="Old")], tmp_path / "walk.webp", height=60, fps=10)
+    path = view.animate([clip, clip.cut(0, 30)], tmp_path / "walk.webp", height=60, fps=10)
     with Image.open(path) as picture:
         assert picture.n_frames == 10
         frames = []
