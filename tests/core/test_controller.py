@@ -24,6 +24,32 @@ def hand(control, **wish):
     control._receive(control, blank | wish, [])
 
 
+def test_keys_go_ahead_sideways_and_round(control):
+    hand(control, move=[0, 1])
+    control.advance(90)
+    x, z, _, ahead = control.state.root[0].tolist()
+    assert z > 0.6 > 2 * abs(x)
+    assert ahead > 0.9
+    hand(control, move=[0, 1], turn=1)
+    control.advance(45)
+    assert control.state.root[0, 2] > 0.5  # looking left, +x
+    hand(control, move=[-1, 0])  # to its left
+    facing, place = control.state.facing[0].clone(), control.state.root[0, :2].clone()
+    control.advance(60)
+    left = torch.tensor([facing[1], -facing[0]])
+    assert float((control.state.root[0, :2] - place) @ left) > 0.15
+
+
+def test_the_stick_points_in_the_world_and_shift_runs(control):
+    for run, least, most in ((False, 0.5, 1.5), (True, 1.5, 3.3)):
+        hand(control, heading=[1.0, 0.0], run=run)
+        control.advance(150)
+        history = control.state.history[0]
+        speed = (history[-1, :2] - history[0, :2]).tolist()
+        assert least < speed[0] < most, f"run {run}: {speed}"
+        assert abs(speed[1]) < 0.3
+
+
 def test_the_speed_is_that_of_the_blend_until_another_is_set(fast):
     model, bank = fast
     control = Controller(model, bank)

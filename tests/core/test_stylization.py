@@ -4,6 +4,7 @@ import copy
 import dataclasses
 import functools
 import math
+import re
 from itertools import product
 
 import pytest
@@ -16,6 +17,7 @@ from torch.testing import assert_close
 
 import toolkit as tk
 from toolkit import stylization as st
+from toolkit.io import model_files
 from toolkit.motion import Skeleton
 from toolkit.stylization import data, layers, losses, networks, training
 from toolkit.stylization.restyling import calm, jerk, lock_feet, stances
@@ -301,6 +303,12 @@ def test_training_goes_on_from_a_checkpoint_as_if_it_had_not_stopped(motions, tm
         st.fit(motions, dataclasses.replace(config, iterations=9), path)
     with refusal("had other data"):
         st.fit(motions.select(motions.take < 3), config, path)
+    tensors, parts = model_files.read(path, "stylization_checkpoint")
+    parts["stylization_checkpoint"]["sums"] = {"id": [1.0]}
+    model_files.write(path, tensors, parts)
+    damaged = f"{path}: the checkpoint is damaged (its sums is {{'id': [1.0]}}"
+    with refusal(re.escape(damaged)):
+        st.fit(motions, config, path)
 
 
 def test_training_ends_when_its_time_is_spent(motions):

@@ -1,3 +1,4 @@
+import base64
 import re
 from itertools import pairwise
 
@@ -10,6 +11,7 @@ from scipy.spatial import cKDTree
 
 from toolkit import view
 from toolkit.motion import Clip, Skeleton, rotations as R
+from toolkit.view.pages import page
 from toolkit.view.render import mannequin as body, picture, stage
 
 
@@ -118,6 +120,20 @@ def test_page_is_one_file_that_loads_nothing(clip, tmp_path):
     assert set(re.findall(r"https?://[\w./-]+", text)) <= {
         "http://www.w3.org/1999/xhtml", "http://www.w3.org/2000/svg"
     }
+
+
+def test_page_keeps_the_motion_within_half_a_millimetre(clip):
+    _, _, (packed,) = page.pack(clip, ["walk"], None, None, None)
+    rotations = R.identity(60, len(clip.skeleton))
+    values = np.frombuffer(base64.b64decode(packed["rotations"]), np.int16).reshape(60, -1, 4)
+    rotations[:, packed["joints"]] = R.normalize(torch.from_numpy(values / page.UNIT).float())
+    root = torch.from_numpy(
+        np.frombuffer(base64.b64decode(packed["root"]), np.float32).reshape(-1, 3).copy()
+    )
+    unpacked = clip.replace(rotations=rotations, root_positions=root)
+    error = (unpacked.global_positions - clip.global_positions).norm(dim=-1).max()
+    assert float(error) < 0.0005
+    assert [packed["frames"], packed["fps"], packed["label"]] == [60, 60.0, "walk"]
 
 
 def test_what_does_not_fit_a_page_or_a_film_is_refused(clip, tmp_path):
