@@ -107,7 +107,7 @@ def test_bandai_reads_names(tmp_path):
         ({"styles": "Zombi"}, "unknown style 'Zombi'; did you mean Zombie"),
         ({"styles": ["Zombie"], "gaits": ["BR"]}, "no file of Zombie, BR in"),
         ({"name": "bandai", "dataset": 3}, "dataset must be 1, 2 or None for both, got 3"),
-        ({"seconds": 3.0}, "100style has no option 'seconds'; its options are root, styles, gaits"),
+        ({"seconds": 3.0}, "100style: unknown option 'seconds'; it has gaits, root, styles"),
         ({"root": __file__}, "is not a folder"),
     ],
 )
@@ -159,6 +159,6 @@ def test_the_verb_lists_and_says_what_is_wrong_in_one_line(small, command, monke
     assert printed == ["Old", "BR", "1,", "FW", "1", "Zombie", "FW", "1"]
     said = command("data list 100styl", status=2)
     assert said.out == ""
-    assert said.err.startswith("error: unknown dataset '100styl'; did you mean '100style'")
+    assert said.err.startswith("error: toolkit: unknown dataset '100styl'; did you mean 100style")
     assert said.err.count("\n") == 1
     assert warnings.showwarning is shown

@@ -4,7 +4,6 @@ Where ``root`` is None, the folder is that of the dataset on this machine (`tool
 where ``python -m toolkit data fetch`` puts it.
 """
 
-import difflib
 import inspect
 import os
 from collections import Counter
@@ -14,7 +13,7 @@ from types import ModuleType
 from toolkit import registry
 from toolkit.datasets import bandai, folder, home, procedural, style100
 from toolkit.datasets.blocks import split
-from toolkit.datasets.takes import Names, Take
+from toolkit.datasets.takes import Names, Take, check_names
 from toolkit.motion import Clip
 
 __all__ = ["DATASETS", "Take", "available", "bandai", "contents", "folder", "home", "load",
@@ -49,9 +48,8 @@ def load(name: str, root: str | os.PathLike | None = None, styles: Names = None,
     """
     module = _module(name, root)
     place = {} if module is procedural else {"root": root}
-    known = inspect.signature(module.load).parameters
-    if other := [option for option in options if option not in known]:
-        raise ValueError(f"{name} has no option {other[0]!r}; its options are {', '.join(known)}")
+    if options:
+        check_names(options, inspect.signature(module.load).parameters, "option", name)
     return module.load(**place, styles=styles, gaits=gaits, **options)
 
 
@@ -90,10 +88,7 @@ def may_mirror(name: str, root: str | os.PathLike | None = None) -> Callable[[Cl
 
 
 def _module(name: str, root: str | os.PathLike | None) -> ModuleType:
-    if name not in DATASETS:
-        near = difflib.get_close_matches(str(name), DATASETS, n=1)
-        guess = f"did you mean {near[0]!r}? " if near else ""
-        raise ValueError(f"unknown dataset {name!r}; {guess}known: {', '.join(DATASETS)}")
+    check_names([name], DATASETS, "dataset", "toolkit")
     if name == "procedural" and root is not None:
         raise ValueError("the procedural dataset is computed and reads no folder; leave "
                          f"root={os.fspath(root)!r} out")

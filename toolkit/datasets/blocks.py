@@ -92,7 +92,7 @@ def _style100(root: str | os.PathLike | None) -> Split:
         if style in style100.HELD_OUT:
             parts["test"].append(Block(style, gait, start, stop))
             continue
-        for part, first, last in _cut(stop - start, _draw(style, gait)):
+        for part, first, last in _cut(stop - start, draw(style, gait)):
             parts[part].append(Block(style, gait, start + first, start + last))
     return Split("100style", **parts, unseen=style100.HELD_OUT)
 
@@ -120,7 +120,7 @@ def _bandai(root: str | os.PathLike | None) -> Split:
         by_style[take.style].append(block)
     parts: dict[str, list[Block]] = {part: [] for part in PARTS}
     for blocks in by_style.values():
-        blocks.sort(key=lambda block: _draw(block.gait))
+        blocks.sort(key=lambda block: draw(block.gait))
         held = max(1, round(SHARE * len(blocks))) if len(blocks) >= len(PARTS) else 0
         parts["test"] += blocks[:held]
         parts["validation"] += blocks[held : 2 * held]
@@ -138,6 +138,6 @@ def _frames(path: Path) -> int:
     raise ValueError(f"{path}: no line 'Frames: N' in its first {HEADER} bytes")
 
 
-def _draw(*names: str) -> int:
+def draw(*names: str) -> int:
     """A random number that depends on the names alone."""
     return int.from_bytes(hashlib.sha256(" ".join(names).encode()).digest()[:8], "little")

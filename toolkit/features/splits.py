@@ -14,7 +14,6 @@ Departure from the published run: nothing is for validation, and rows near the t
 
 import contextlib
 import dataclasses
-import hashlib
 import math
 import warnings
 from collections import defaultdict
@@ -203,11 +202,7 @@ def generator(*keys: int | str) -> torch.Generator:
 
 def mix(*keys: int | str) -> int:
     """One seed from several numbers and names, the same on every machine."""
-    numbers = []
-    for key in keys:
-        if isinstance(key, str):
-            key = int.from_bytes(hashlib.sha256(key.encode()).digest()[:8], "little")
-        numbers.append(key)
+    numbers = [datasets.blocks.draw(key) if isinstance(key, str) else key for key in keys]
     return int(np.random.SeedSequence(numbers).generate_state(1, np.uint64)[0] >> np.uint64(1))
 
 
