@@ -117,7 +117,7 @@ def test_a_stage_draws_it_in_place_of_the_mannequin(hero, zombie):
     tones = np.tile(np.uint8([[0, 200, 0]]), (len(character.points), 1))
     green = dataclasses.replace(character.mesh, colors=tones)
     body = stage.Body(made, figure=dataclasses.replace(character, mesh=green))
-    shown = stage.Painted([body], (200, 200), np.array([0.0, 1.0, 0.5]))
+    shown = stage.Stage([body], (200, 200), np.array([0.0, 1.0, 0.5]))
     middle = made.root_positions[40].double().numpy()
     camera = stage.Camera(middle, 0.5, 0.2, 2.4)
     picture = shown.draw([stage.Pose(body, 40)], camera).astype(int)

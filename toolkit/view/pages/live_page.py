@@ -230,5 +230,4 @@ def panels(weight: Tensor, bias: Tensor) -> Tensor:
 
 
 def _plain(fields: dict[str, Any]) -> dict[str, Any]:
-    return {name: value.tolist() if isinstance(value, np.ndarray) else value
-            for name, value in fields.items()}
+    return {name: np.asarray(value).tolist() for name, value in fields.items()}

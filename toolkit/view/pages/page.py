@@ -87,14 +87,10 @@ def pack(
                          f"clips, {len(styles)} style mappings")
     bodies: dict[Skeleton, dict] = {}
     for clip in clips:
-        if clip.skeleton in bodies:
-            continue
-        if clip.skeleton in known:
-            bodies[clip.skeleton] = known[clip.skeleton]
-        elif figure is None:
-            bodies[clip.skeleton] = skeleton_data(clip)
-        else:
-            bodies[clip.skeleton] = tree(clip.skeleton) | {"mesh": figure.packed()}
+        rig = clip.skeleton
+        if rig not in bodies:
+            bodies[rig] = known.get(rig) or (skeleton_data(clip) if figure is None else
+                                             tree(rig) | {"mesh": figure.packed()})
     numbers = list(bodies)
     packed = [_packed(clip, *row) | {"skeleton": numbers.index(clip.skeleton)}
               for clip, *row in zip(clips, labels, contacts, styles, strict=True)]

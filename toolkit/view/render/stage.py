@@ -3,7 +3,6 @@
 pyvista must be used from the main thread only.
 """
 
-from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -30,8 +29,8 @@ def lit(normals: np.ndarray, tones: np.ndarray, light: np.ndarray) -> np.ndarray
 
 
 @dataclass(eq=False)
-class Stage(ABC):
-    """Pictures of some bodies.
+class Stage:
+    """Pictures of some bodies, drawn by Pillow, the far triangles first.
 
     Light is computed per vertex; a shadow is the body pressed flat along the light.
     """
@@ -57,18 +56,40 @@ class Stage(ABC):
         flat[:, 1] = LOW
         return self._picture(points, lit(normals, tones, self.light), flat, camera)
 
-    @abstractmethod
     def _picture(self, points: np.ndarray, colors: np.ndarray, flat: np.ndarray,
                  camera: Camera) -> np.ndarray:
         """The picture of vertices, their colours, and vertices of the shadows, [V, 3] each."""
+        width, height = (FINE * n for n in self.size)
+        turn, scale = axes(camera.azimuth, camera.tilt), height / camera.height
 
-    @abstractmethod
+        def seen(places: np.ndarray) -> np.ndarray:
+            """Pixels to the right and downwards, and towards the viewer [..., 3]."""
+            return (places - camera.target) @ turn.T * [scale, -scale, 1] + [
+                width / 2, height / 2, 0]
+
+        picture = Image.new("RGB", (width, height), BACK)
+        draw = ImageDraw.Draw(picture)
+        if self.lines is not None:
+            pieces = self.lines.segments()
+            ends = seen(pieces + self.lines.crossing(camera.target))[..., :2]
+            tones = (255 * self.lines.colors(pieces.mean(1))).astype(int)
+            for line, tone in zip(ends.reshape(-1, 4).tolist(), tones.tolist(), strict=True):
+                draw.line(line, tuple(tone), FINE)
+        shadow, corners = seen(flat)[self.triangles], seen(points)[self.triangles]
+        order = np.argsort(corners[..., 2].mean(1))
+        shapes = np.concatenate((shadow, corners[order]))[..., :2].reshape(-1, 6)
+        tones = colors[self.triangles].mean(1)[order].astype(int)
+        faces = [SHADE] * len(shadow) + [tuple(tone) for tone in tones.tolist()]
+        for shape, face in zip(shapes.tolist(), faces, strict=True):
+            draw.polygon(shape, face)
+        return np.asarray(picture.reduce(FINE))
+
     def close(self) -> None:
         """Free what was used."""
 
 
 class Rendered(Stage):
-    """Drawn by pyvista, off screen."""
+    """Pictures drawn by pyvista, off screen."""
 
     def __post_init__(self):
         import pyvista as pv
@@ -119,44 +140,10 @@ class Rendered(Stage):
         self.plotter.close()
 
 
-class Painted(Stage):
-    """Drawn by Pillow: the far triangles first."""
-
-    def _picture(self, points: np.ndarray, colors: np.ndarray, flat: np.ndarray,
-                 camera: Camera) -> np.ndarray:
-        width, height = (FINE * n for n in self.size)
-        turn, scale = axes(camera.azimuth, camera.tilt), height / camera.height
-
-        def seen(places: np.ndarray) -> np.ndarray:
-            """Pixels to the right and downwards, and towards the viewer [..., 3]."""
-            return (places - camera.target) @ turn.T * [scale, -scale, 1] + [
-                width / 2, height / 2, 0]
-
-        picture = Image.new("RGB", (width, height), BACK)
-        draw = ImageDraw.Draw(picture)
-        if self.lines is not None:
-            pieces = self.lines.segments()
-            ends = seen(pieces + self.lines.crossing(camera.target))[..., :2]
-            tones = (255 * self.lines.colors(pieces.mean(1))).astype(int)
-            for line, tone in zip(ends.reshape(-1, 4).tolist(), tones.tolist(), strict=True):
-                draw.line(line, tuple(tone), FINE)
-        shadow, corners = seen(flat)[self.triangles], seen(points)[self.triangles]
-        order = np.argsort(corners[..., 2].mean(1))
-        shapes = np.concatenate((shadow, corners[order]))[..., :2].reshape(-1, 6)
-        tones = colors[self.triangles].mean(1)[order].astype(int)
-        faces = [SHADE] * len(shadow) + [tuple(tone) for tone in tones.tolist()]
-        for shape, face in zip(shapes.tolist(), faces, strict=True):
-            draw.polygon(shape, face)
-        return np.asarray(picture.reduce(FINE))
-
-    def close(self) -> None:
-        """Nothing is kept."""
-
-
 def open_stage(bodies: Sequence[Body], size: tuple[int, int], light: np.ndarray,
                lines: Lines | None = None) -> Stage:
     """The `Stage` that works here."""
     if opengl_works():
         return Rendered(bodies, size, light, lines)
     explain_missing_opengl()
-    return Painted(bodies, size, light, lines)
+    return Stage(bodies, size, light, lines)
