@@ -6,22 +6,7 @@ from toolkit.runtime.recording import record, rollout, states
 from toolkit.runtime.state import CharacterState
 from toolkit.runtime.steering import Command, Pilot, follow, speed_controller, steer, straight
 
-__all__ = [
-    "FPS",
-    "CharacterState",
-    "Command",
-    "Pilot",
-    "compile",
-    "follow",
-    "pose",
-    "record",
-    "rollout",
-    "speed_controller",
-    "start",
-    "states",
-    "steer",
-    "step",
-    "straight",
-    "world_joints",
-]
+__all__ = ["FPS", "CharacterState", "Command", "Pilot", "compile", "follow", "pose", "record",
+           "rollout", "speed_controller", "start", "states", "steer", "step", "straight",
+           "world_joints"]
 __getattr__ = registry.attributes(__name__)

@@ -39,9 +39,8 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
     Parameters
     ----------
     model
-        It gives the mean pose. The initial phase is half a deviation from the mean: nearer to it,
-        some styles slide or jump at their first step. For a model without phases, the pose has
-        hands and feet in mid-stride.
+        It gives the pose and the phase, see `toolkit.networks.phase.initial_pose`: nearer to the
+        mean phase, some styles slide or jump at their first step.
     style : Tensor [S] or [B, S]
         Style vector, or one per character. Arrays and lists are accepted, here and below.
     position, facing
@@ -71,10 +70,8 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
     place, look = _pairs(position, "position", style), R.normalize(_pairs(facing, "facing", style))
     root = torch.cat((place, look), -1)
     if not root.is_meta and not bool(root.isfinite().all() & look.any(-1).all()):
-        raise ValueError(
-            "position and facing must be finite, and facing not zero; "
-            f"got {shown(position)}, {shown(facing)}"
-        )
+        raise ValueError("position and facing must be finite, and facing not zero; "
+                         f"got {shown(position)}, {shown(facing)}")
 
     # A character that stands still, with both feet on the ground.
     state = CharacterState(
@@ -115,10 +112,8 @@ def _pairs(values, what: str, style: Tensor) -> Tensor:
     """World (x, z) ``[B, 2]``, from one pair for all B characters or from one pair for each."""
     pairs = as_tensor(values, what, style)
     if pairs.shape not in ((2,), (1, 2), (len(style), 2)):
-        raise ValueError(
-            f"{what} must be one pair (x, z), or [{len(style)}, 2] of all characters; "
-            f"got {list(pairs.shape)}"
-        )
+        raise ValueError(f"{what} must be one pair (x, z), or [{len(style)}, 2] of all characters; "
+                         f"got {list(pairs.shape)}")
     return pairs.expand(len(style), 2)
 
 
@@ -207,14 +202,9 @@ def predicted(model, state: CharacterState, command: Command) -> CharacterState:
     phase = advance(layout, state.phase, out)
     still = (stand * contacts.amin(-1, keepdim=True)).maximum(held)
     phase = torch.lerp(phase, state.phase, still)
-    return dataclasses.replace(
-        steered,
-        history=torch.cat((state.history[:, 1:], new_root[:, None]), 1),
-        future=ahead,
-        joints=joints,
-        phase=phase,
-        contacts=contacts,
-    )
+    history = torch.cat((state.history[:, 1:], new_root[:, None]), 1)
+    return dataclasses.replace(steered, history=history, future=ahead, joints=joints, phase=phase,
+                               contacts=contacts)
 
 
 def leg_joints(layout: Layout) -> list[int]:
@@ -238,18 +228,27 @@ def planted(model, state: CharacterState, new: CharacterState) -> CharacterState
     soles = layout.skeleton.offsets[[layout.skeleton.role(f"{side}_toe") for side in FEET]].to(toes)
     raised = (R.rotate(feet[1], soles) - soles)[..., 1]
     left = torch.stack((new.root[:, 3], -new.root[:, 2]), -1)
-    toes, drift = foot_lock(
-        state.toes, state.drift, before, toes, state.contacts, new.contacts, left, ground, raised,
-        1 / FPS
-    )
-    new = dataclasses.replace(new, toes=toes, drift=drift, swivel=swivel)
-    return _with_legs(layout, new, rotations[count:], world["position"][count:, 0])
+    toes, drift = foot_lock(state.toes, state.drift, before, toes, state.contacts, new.contacts,
+                            left, ground, raised, 1 / FPS)
+
+    # The legs bend towards these toes. The next frame is predicted from them, seen from the root.
+    skeleton = layout.skeleton
+    bent, drop, toes = solve_legs(skeleton, rotations[count:, skeleton.feature_of],
+                                  world["position"][count:, 0], toes, new.contacts, state.drop,
+                                  swivel, 1 / FPS)
+    x, z, sin, cos = new.root.unbind(-1)
+    floor = torch.stack((x, torch.zeros_like(x), z), -1)[:, None]
+    back = R.inverse(R.yaw(torch.atan2(sin, cos)))[:, None]
+    parts = split_joints(new.joints)
+    position = parts["position"].clone()
+    position[:, legs] = R.rotate(back, torch.stack(bent, 2).flatten(1, 2) - floor)
+    return dataclasses.replace(new, joints=pack_joints(**parts | {"position": position}),
+                               toes=toes, drift=drift, drop=drop, swivel=swivel)
 
 
 @functools.singledispatch
-def pose(
-    model, state: CharacterState, *, feet: bool = True, arms: bool = True
-) -> tuple[Tensor, Tensor]:
+def pose(model, state: CharacterState, *, feet: bool = True,
+         arms: bool = True) -> tuple[Tensor, Tensor]:
     """Local rotations ``[B, J', 4]`` and root positions ``[B, 3]`` of the whole skeleton, to draw.
 
     ``model``: plain, compiled, or only its layout. ``feet``: hold toes in contact in place.
@@ -289,36 +288,6 @@ def _in_world(joints: Tensor, root: Tensor) -> dict[str, Tensor]:
 def _rotations(world: dict[str, Tensor]) -> Tensor:
     """World rotations ``[B, J, 4]`` of a pose from `world_joints`."""
     return R.from_forward_up(world["forward"], world["up"])
-
-
-def _with_legs(layout: Layout, state: CharacterState, rotations: Tensor,
-               hips: Tensor) -> CharacterState:
-    """A state with the pose after foot IK, from which the next frame is predicted.
-
-    The joints' ``rotations`` and the place of the ``hips`` are those of its pose in the world. The
-    ``drop`` of the argument is that of the frame before.
-    """
-    legs, drop, toes = solve_legs(
-        layout.skeleton,
-        rotations[:, layout.skeleton.feature_of],
-        hips,
-        state.toes,
-        state.contacts,
-        state.drop,
-        state.swivel,
-        1 / FPS,
-    )
-
-    # The legs' positions, seen from the root.
-    x, z, sin, cos = state.root.unbind(-1)
-    floor = torch.stack((x, torch.zeros_like(x), z), -1)[:, None]
-    back = R.inverse(R.yaw(torch.atan2(sin, cos)))[:, None]
-    parts = split_joints(state.joints)
-    position = parts["position"].clone()
-    position[:, leg_joints(layout)] = R.rotate(back, torch.stack(legs, 2).flatten(1, 2) - floor)
-    return dataclasses.replace(
-        state, joints=pack_joints(**parts | {"position": position}), drop=drop, toes=toes
-    )
 
 
 def predicted_toes(layout: Layout, state: CharacterState) -> Tensor:

@@ -47,10 +47,8 @@ def alive(style: Styles, amount: float, seed: int = 0) -> Styles:
     def key(number: int, like: Tensor) -> Tensor:
         if number not in kept:
             kept.pop(number - 2, None)
-            rows = [
-                uniform(like.shape[-1], number, seed + row)
-                for row in range(like.shape[:-1].numel())
-            ]
+            rows = [uniform(like.shape[-1], number, seed + row)
+                    for row in range(like.shape[:-1].numel())]
             kept[number] = torch.from_numpy(np.stack(rows)).to(like).reshape(like.shape)
         return kept[number]
 

@@ -13,15 +13,9 @@ from toolkit.runtime.state import CharacterState
 from toolkit.runtime.steering import Command, Pilot
 
 
-def states(
-    model,
-    commands: Sequence[Command | Pilot],
-    style: Styles,
-    first: CharacterState | None = None,
-    progress: bool = False,
-    life: float = 0.0,
-    seed: int = 0,
-) -> Iterator[CharacterState]:
+def states(model, commands: Sequence[Command | Pilot], style: Styles,
+           first: CharacterState | None = None, progress: bool = False, life: float = 0.0,
+           seed: int = 0) -> Iterator[CharacterState]:
     """Yield the state after every command.
 
     ``style`` is a vector, or a function of the frame number for live blending. With ``life`` the
@@ -39,16 +33,9 @@ def states(
         yield state
 
 
-def rollout(
-    model,
-    commands: Sequence[Command | Pilot],
-    style: Styles,
-    ik: bool = True,
-    first: CharacterState | None = None,
-    progress: bool = False,
-    life: float | None = None,
-    seed: int = 0,
-) -> Clip:
+def rollout(model, commands: Sequence[Command | Pilot], style: Styles, ik: bool = True,
+            first: CharacterState | None = None, progress: bool = False,
+            life: float | None = None, seed: int = 0) -> Clip:
     """Let one character follow commands, and record its motion.
 
     Parameters
@@ -78,14 +65,8 @@ def rollout(
     return record(model, recorded, feet=ik, arms=ik)
 
 
-def record(
-    model,
-    recorded: Iterable[CharacterState],
-    *,
-    feet: bool = True,
-    arms: bool = True,
-    character: int = 0,
-) -> Clip:
+def record(model, recorded: Iterable[CharacterState], *, feet: bool = True, arms: bool = True,
+           character: int = 0) -> Clip:
     """The motion of one character in a sequence of states, see `rollout`.
 
     ``feet`` and ``arms`` switch their IK on. A ValueError if there are no states.

@@ -80,9 +80,8 @@ def vectors_of(style, like: Tensor, characters: int | None = None) -> Tensor:
     A ValueError if it is not a vector.
     """
     if isinstance(style, str | Mapping):
-        raise ValueError(
-            f"a style is a vector, bank[name] or bank.blend({{name: weight}}); got {shown(style)}"
-        )
+        raise ValueError("a style is a vector, bank[name] or bank.blend({name: weight}); "
+                         f"got {shown(style)}")
     vectors = torch.atleast_2d(as_tensor(style, "a style", like))
     if vectors.dim() != 2 or len(vectors) not in (1, characters or len(vectors)):
         wanted = f"[{characters or 'B'}, S] of all characters"

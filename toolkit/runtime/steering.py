@@ -64,10 +64,8 @@ class Command:
                 object.__setattr__(self, what, pairs)  # two numbers of torch
             pairs = pairs.detach()
             if pairs.dim() not in (1, 2) or pairs.shape[-1] != 2:
-                raise ValueError(
-                    f"{what} must be one pair (x, z), or [B, 2] of all characters; "
-                    f"got {shown(value)}"
-                )
+                raise ValueError(f"{what} must be one pair (x, z), or [B, 2] of all characters; "
+                                 f"got {shown(value)}")
             if not pairs.is_meta and not bool((pairs.abs() <= LARGEST).all()):
                 got = shown(pairs.tolist())
                 raise ValueError(f"{what} must be finite, up to {LARGEST:g}; got {got}")
@@ -76,11 +74,9 @@ class Command:
 Pilot = Callable[[CharacterState], Command]
 
 
-def steer(
-    state: CharacterState,
-    command: Command,
-    ahead: Sequence[int] = trajectory.SAMPLES[trajectory.SAMPLES.index(0) :],
-) -> CharacterState:
+def steer(state: CharacterState, command: Command,
+          ahead: Sequence[int] = trajectory.SAMPLES[trajectory.SAMPLES.index(0) :],
+          ) -> CharacterState:
     """The state with its future trajectory ``[B, S, 4]`` blended towards the command.
 
     ``ahead`` are the offsets of the present and future samples, S in all, in frames
@@ -102,10 +98,8 @@ def steer(
     characters = len(state.velocity)
     for pairs in (wanted, look):
         if len(pairs) not in (1, characters):
-            raise ValueError(
-                f"a command for {characters} characters needs one pair of numbers or "
-                f"{characters}, got {len(pairs)}"
-            )
+            raise ValueError(f"a command for {characters} characters needs one pair of numbers or "
+                             f"{characters}, got {len(pairs)}")
 
     # Smoothed command; a zero facing keeps the current one.
     look = torch.where(look.norm(dim=-1, keepdim=True) > 1e-6, look, state.facing)
@@ -150,15 +144,8 @@ def steer(
     directions = turn(state.future[:, 1:, 2:], facing[:, None].expand_as(steps), w_direction)
     future = torch.cat((state.root[:, None], torch.cat((positions, directions), -1)), 1)
     return dataclasses.replace(
-        state,
-        velocity=velocity,
-        facing=facing,
-        future=future,
-        drive=speed_controller(state, velocity),
-        asked=asked,
-        aside=aside,
-        rest=rest,
-    )
+        state, velocity=velocity, facing=facing, future=future, asked=asked, aside=aside, rest=rest,
+        drive=speed_controller(state, velocity))
 
 
 def direction_controller(state: CharacterState, velocity: Tensor) -> tuple[Tensor, Tensor, Tensor]:
@@ -234,20 +221,16 @@ def _moved(state: CharacterState, now: int) -> Tensor:
     return moved * (FPS / half_second)
 
 
-def straight(
-    speed: float = 1.2, seconds: float = 10.0, facing: Sequence[float] = (0.0, 1.0)
-) -> list[Command]:
+def straight(speed: float = 1.2, seconds: float = 10.0,
+             facing: Sequence[float] = (0.0, 1.0)) -> list[Command]:
     """Commands that walk straight ahead at ``speed`` m/s.
 
     A ValueError if the speed is not finite, the time not 0 to `LONGEST`, or ``facing`` is zero.
     """
     speed, seconds = as_tensor((speed, seconds), "speed and seconds", torch.float64).tolist()
-    if not (math.isfinite(speed) and 0 <= seconds < math.inf):
-        raise ValueError(
-            f"speed and seconds must be finite and seconds not negative, got {speed} and {seconds}"
-        )
-    if seconds > LONGEST:
-        raise ValueError(f"commands are for at most {LONGEST:g} seconds, got {seconds:g}")
+    if not (math.isfinite(speed) and 0 <= seconds <= LONGEST):
+        raise ValueError(f"speed must be finite and seconds from 0 to {LONGEST:g}, got {speed} and "
+                         f"{seconds}")
     forward = R.normalize(as_tensor(facing, "facing", torch.float64))
     if not forward.any():
         raise ValueError("facing is the direction of the walk, and must not be zero")
@@ -255,9 +238,8 @@ def straight(
     return [command] * round(seconds * FPS)
 
 
-def follow(
-    points: Sequence[Sequence[float]], speed: float = 1.2, seconds: float | None = None
-) -> list[Pilot]:
+def follow(points: Sequence[Sequence[float]], speed: float = 1.2,
+           seconds: float | None = None) -> list[Pilot]:
     """Pilots that keep a character on a polyline at constant speed, facing along it, and stop at
     its end.
 
@@ -273,24 +255,17 @@ def follow(
     path = as_tensor(points, "points", torch.float64).cpu()
     speed = float(as_tensor(speed, "speed", torch.float64))
     legs = (path[1:] - path[:-1]).norm(dim=-1)
-    if (
-        path.dim() != 2
-        or path.shape[1] != 2
-        or not len(legs)
-        or not bool(((legs > 1e-6) & legs.isfinite()).all())
-    ):
-        raise ValueError(
-            f"a path needs two or more different (x, z) points, all finite; got {list(path.shape)}"
-        )
+    pairs = path.dim() == 2 and path.shape[1] == 2 and len(legs) > 0
+    if not (pairs and bool(((legs > 1e-6) & legs.isfinite()).all())):
+        raise ValueError("a path needs two or more different (x, z) points, all finite; got "
+                         f"{list(path.shape)}")
 
     # Distances along the path at the ends of its legs.
     ends = legs.cumsum(0)
     lasts = float(ends[-1]) / max(speed, 1e-300) if seconds is None else seconds
     if not (0 < speed < math.inf and 0 <= lasts <= LONGEST):
-        raise ValueError(
-            "speed must be positive, seconds not negative and both finite, with at most "
-            f"{LONGEST:g} seconds in all; got {speed} and {lasts}"
-        )
+        raise ValueError("speed must be positive and finite, and seconds in all from 0 to "
+                         f"{LONGEST:g}; got {speed} and {lasts}")
 
     def point(distance: float) -> Tensor:
         leg = min(int((ends <= distance).sum()), len(legs) - 1)
