@@ -67,9 +67,9 @@ def split(name: str, root: str | os.PathLike | None = None) -> Split:
 
     100STYLE: the five styles that the published experiments hold out (`style100.HELD_OUT`) are the
     test's alone. From each take of the others, a tenth, and at least `LEAST` frames, goes to the
-    test and as much to validation. The training part lies before or after them. A take that is too
-    short for both gives one of them; an even shorter one, as many of idling, belongs to the
-    training part. Frame_Cuts.csv is enough for it. STOP may lie past a file's end.
+    test and as much to validation. A take that is too short for both gives one of them; an even
+    shorter one, as many of idling, belongs to the training part. Frame_Cuts.csv is enough for it.
+    STOP may lie past a file's end.
 
     Bandai: whole takes, of each style a tenth, and at least one, for the test and for validation;
     it needs the files.

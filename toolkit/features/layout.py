@@ -30,8 +30,8 @@ class Layout:
 
     Data always have the local phases of all limbs. A model may use fewer columns. Its ``phase`` is
     ``"local"``: the phase vectors of the limbs; of four, p has 8 columns, z has 8 of phases and 8
-    of phase updates. ``"global"``: one angle, radians; p has 1 column, z only its update (327
-    columns for J = 25). ``"none"``: p and z have no phase columns (z: 326).
+    of phase updates. ``"global"``: one angle, radians, and in z only its update. ``"none"``: p and
+    z have no phase columns.
 
     Two layouts are equal if their skeletons have the same joints and End Sites in the same tree and
     similar size, the same phase, samples and limbs, see `difference`.

@@ -1,7 +1,7 @@
 """Held-out frames (Mason et al. 2022, section 5.2.2), and the random streams that choose them.
 
-Neighbouring frames are almost equal, and the features of a frame reach 60 frames back and 51 ahead.
-Frames whose window overlaps that of a held-out frame are therefore in neither part.
+For the reason that `toolkit.datasets.blocks` gives, frames whose window overlaps that of a held-out
+frame are in neither part.
 
 | rule | what it decides |
 | --- | --- |
@@ -29,7 +29,7 @@ from toolkit.features.features import CLIP_FRAMES, FRAME_KINDS, Features, Split,
 from toolkit.features.statistics import Rows
 from toolkit.motion import Clip
 
-SPLIT_FRAMES = 240  # length of held-out windows, because neighbouring frames are almost equal
+SPLIT_FRAMES = 240  # length of held-out windows
 SPLIT_TAKES = 20  # if a style has at least this many takes, whole takes are held out
 STRETCH = 60  # frames that show a style where no whole style clip is free of held-out frames
 SPLIT = 1  # number of the random stream; `toolkit.training.minibatches` has others

@@ -19,10 +19,9 @@ CONTROL_POINTS = 4  # K of the phase function
 class BlendedLinear(nn.Module):
     """A dense layer whose weights are a blend of those of K experts: y = x (Σ αᵢ Wᵢ) + Σ αᵢ bᵢ.
 
-    Blended weights are not computed. Σ αᵢ (x Wᵢ) is one matrix product: the inputs times each gate,
-    side by side ``[B, K n_in]``, times the stacked weights of the experts ``[K n_in, n_out]``. For
-    32 samples this is five times as fast as to blend the weights for each sample; for one sample
-    both take the same time.
+    Σ αᵢ (x Wᵢ) is one matrix product: the inputs times each gate, side by side ``[B, K n_in]``,
+    times the stacked weights of the experts ``[K n_in, n_out]``. For 32 samples this is five times
+    as fast as to blend the weights for each sample, for one sample as fast.
     """
 
     def __init__(self, experts: int, n_in: int, n_out: int):

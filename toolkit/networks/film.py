@@ -111,8 +111,7 @@ class Convolution(nn.Conv1d):
 
     On the CPU, many clips with a wide kernel are convolved in the frequency domain, tile by tile
     (overlap-save). A kernel of 25 frames then needs a sixth of the multiplications. The result is
-    the same up to rounding (with bfloat16, rounding errors are 1.5 times as large). Few clips,
-    narrow kernels and other devices use torch's convolution.
+    the same up to rounding (with bfloat16, rounding errors are 1.5 times as large).
     """
 
     def __init__(self, n_in: int, n_out: int, kernel: int):

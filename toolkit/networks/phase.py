@@ -67,9 +67,8 @@ def advance(layout: Layout, phase: Tensor, out: dict[str, Tensor]) -> Tensor:
     each limb moves towards the predicted p̂ by a share `PULL` · ‖Δp̂‖ / ‖q‖, at most one half.
 
     Departure from the published run, where the share is always one half. In closed loop that
-    shrinks amplitudes: steps get rarer and feet slide. Our share is proportional to the change of
-    the phase; in a walk it is about a twentieth. It keeps the sums from drifting. It cannot stop a
-    phase, which would make the character glide.
+    shrinks amplitudes: steps get rarer and feet slide. Our share, in a walk about a twentieth,
+    keeps the sums from drifting, and cannot stop a phase, which would make the character glide.
     """
     if layout.phase == "local":
         update = out["phase_updates"].unflatten(-1, (-1, 2))
@@ -84,10 +83,10 @@ def advance(layout: Layout, phase: Tensor, out: dict[str, Tensor]) -> Tensor:
 def initial_pose(model) -> tuple[Tensor, Tensor]:
     """A phase ``[n_phases]`` and a pose ``[12 J]`` of a character that is about to step.
 
-    The phase is half a deviation from the mean of the data, so that legs in the mean pose need not
-    jump; the pose is the mean pose. In a model without phases, the pose must start the step: hands
-    and feet are two deviations ahead of or behind their means, and move back (from the mean pose a
-    MANN glided for four seconds before it stepped).
+    The phase is half a deviation from the mean of the data: nearer to it, some styles slide or jump
+    at their first step. The pose is the mean pose. In a model without phases, it must start the
+    step: hands and feet are two deviations ahead of or behind their means, and move back (from the
+    mean pose a MANN glided for four seconds before it stepped).
     """
     layout, joints = model.layout, model.layout.outputs["joints"]
     pose, limbs = model.outputs_mean[joints], layout.phase_limbs

@@ -39,8 +39,7 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
     Parameters
     ----------
     model
-        It gives the pose and the phase, see `toolkit.networks.phase.initial_pose`: nearer to the
-        mean phase, some styles slide or jump at their first step.
+        It gives the pose and the phase, see `toolkit.networks.phase.initial_pose`.
     style : Tensor [S] or [B, S]
         Style vector, or one per character. Arrays and lists are accepted, here and below.
     position, facing

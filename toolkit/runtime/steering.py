@@ -188,9 +188,9 @@ def speed_controller(state: CharacterState, velocity: Tensor) -> Tensor:
 
     Networks follow the blended trajectory at a fraction of its speed, and this fraction depends on
     the style. The published demo compensates for it by a table of target speeds "in its own units",
-    several times the speed reached. We use an incremental proportional-integral controller instead.
-    Its gains grow with the drive. So a command is in m/s for every model and style. Without the
-    proportional part some styles alternate between walk and run, or stay in a run.
+    several times the speed reached. We use an incremental proportional-integral controller, so that
+    a command is in m/s for every model and style. Without the proportional part some styles
+    alternate between walk and run, or stay in a run.
     """
     wanted, heading = velocity.norm(dim=-1, keepdim=True), R.normalize(velocity)
 

@@ -1,8 +1,7 @@
 """The authors' published parameters of LPN-FiLM, 100 styles, run by this package's own networks.
 
-Published beside Mason et al. 2022 (github.com/ianxmason/local-phases) as raw little-endian float32
-files (`toolkit.datasets.published_files`), for research and education. This package does not
-contain them: the user provides the folder.
+`toolkit.datasets.published_files` describes their files, which are for research and education. This
+package does not contain them: the user provides the folder.
 """
 
 import math
