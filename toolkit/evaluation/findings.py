@@ -293,7 +293,7 @@ def _trunk(clip: Clip) -> Tensor:
     """Points ``[F, N, 3]`` on the axis of the trunk, from above the hips to the shoulders."""
     p, skeleton = clip.global_positions.double(), clip.skeleton
     hips, chest = p[:, skeleton.role("hips")], p[:, skeleton.trunk[0]]
-    shoulders = sum(p[:, skeleton.role(f"{side}_shoulder")] for side in SIDES) / 2
+    shoulders = p[:, skeleton.both("shoulder")].mean(1)
     return torch.cat((_points(hips, chest)[:, 1:], _points(chest, shoulders)[:, 1:]), 1)
 
 

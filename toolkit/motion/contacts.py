@@ -7,7 +7,7 @@ from torch import Tensor
 from torch.nn import functional
 
 from toolkit.motion.clip import Clip
-from toolkit.motion.skeleton import FEET
+from toolkit.motion.skeleton import FEET as FEET
 
 BALL = 0.01  # metres (ours): thickness of the floor
 HEIGHT = 0.01  # d_max of the paper, metres
@@ -85,7 +85,7 @@ def standing_height(clip: Clip) -> Tensor:
 
 def toes_of(clip: Clip) -> Tensor:
     """Positions ``[F, 2, 3]`` of the right and the left toe."""
-    return clip.global_positions[:, [clip.skeleton.role(f"{side}_toe") for side in FEET]]
+    return clip.global_positions[:, clip.skeleton.both("toe")]
 
 
 def velocities(positions: Tensor, fps: float) -> Tensor:

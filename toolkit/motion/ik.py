@@ -13,9 +13,11 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import rotations as R
+from toolkit.motion.roles import CHAINS
 from toolkit.motion.skeleton import FEET, Skeleton, forward_kinematics, local_rotations
 from toolkit.motion.springs import spring
 
+LEG = *CHAINS["leg"], "toe"  # parts of a leg
 # Shares of a leg's length over which it stretches more and more slowly: with its toe in contact,
 # and in the air, where a knee that is nearly straight would move too fast.
 SOFT, SWING = 0.01, 0.03
@@ -176,7 +178,7 @@ def hold_feet(swivel: Tensor, before: Tensor, predicted: Tensor, contacts: Tenso
 def swivelled(skeleton: Skeleton, turned: Tensor, swivel: Tensor) -> Tensor:
     """World rotations ``[..., J, 4]`` with feet and toes turned by angles ``[..., 2]``."""
     turned, turn = turned.clone(), R.yaw(swivel)
-    for joints in _pairs(skeleton, "foot", "toe"):
+    for joints in map(skeleton.both, ("foot", "toe")):
         turned[..., joints, :] = R.multiply(turn, turned[..., joints, :])
     return turned
 
@@ -244,7 +246,7 @@ def solve_legs(skeleton: Skeleton, turned: Tensor, root: Tensor, toes: Tensor, c
     """
     # Predicted positions of the legs' joints, from the root down. Feet keep their orientation but
     # for the swivel, so that a toe at its target has its ankle at ``target``.
-    pairs, legs = _pairs(skeleton, "hip", "knee", "foot", "toe"), leg_chain(skeleton)
+    pairs, legs = map(skeleton.both, LEG), leg_chain(skeleton)
     above, places = [skeleton.parents[j] for j in legs], {0: root}
     bones = R.rotate(turned[..., above, :], skeleton.offsets[legs].to(root)).unbind(-2)
     for j, parent, bone in zip(legs, above, bones, strict=True):
@@ -323,7 +325,7 @@ def plant_feet(skeleton: Skeleton, rotations: Tensor, root: Tensor, toes: Tensor
     root's position and ``toes [..., 2, 3]`` are the targets, right and left, in the world, metres.
     """
     turned, positions = forward_kinematics(skeleton, rotations, root)
-    legs = _pairs(skeleton, "hip", "knee", "foot", "toe")
+    legs = [*map(skeleton.both, LEG)]
     a, b, c, toe = (positions[..., joints, :] for joints in legs)
     middle, end = two_bone(a, b, c, toes - (toe - c), left=_left(a))
     turn = R.between(torch.stack((b - a, c - b)), torch.stack((middle - a, end - middle)))
@@ -334,8 +336,7 @@ def plant_feet(skeleton: Skeleton, rotations: Tensor, root: Tensor, toes: Tensor
 
 def leg_chain(skeleton: Skeleton) -> list[int]:
     """All points from the root to the toes, without the root; parents come before children."""
-    toes = [skeleton.role(f"{side}_toe") for side in FEET]
-    return sorted({j for toe in toes for j in (toe, *skeleton.ancestors(toe))} - {0})
+    return sorted({j for toe in skeleton.both("toe") for j in skeleton.tree.up(toe)} - {0})
 
 
 def arm_bones(skeleton: Skeleton) -> list[tuple[list[int], list[int]]]:
@@ -343,7 +344,7 @@ def arm_bones(skeleton: Skeleton) -> list[tuple[list[int], list[int]]]:
 
     The last ones are the End Sites of the hands, where there are any.
     """
-    arms = _pairs(skeleton, "shoulder", "elbow", "hand")
+    arms = [*map(skeleton.both, CHAINS["arm"])]
     chain = [[skeleton.parents[joint] for joint in arms[0]], *arms]
     ends = [skeleton.end_site(f"{side}_hand") for side in FEET]
     if not set(ends) & set(arms[-1]):
@@ -354,11 +355,6 @@ def arm_bones(skeleton: Skeleton) -> list[tuple[list[int], list[int]]]:
 def _left(hips: Tensor) -> Tensor:
     """From the right to the left hip ``[..., 1, 3]``, of both ``[..., 2, 3]``."""
     return hips[..., 1:, :] - hips[..., :1, :]
-
-
-def _pairs(skeleton: Skeleton, *parts: str) -> list[list[int]]:
-    """Joints of parts of a limb, each right and left."""
-    return [[skeleton.role(f"{side}_{part}") for side in FEET] for part in parts]
 
 
 def _ends_follow(skeleton: Skeleton, turned: Tensor) -> Tensor:

@@ -98,6 +98,10 @@ class Skeleton:
                              f"the skeleton has {', '.join(self.names)}")
         return self.names.index(self.roles[role])
 
+    def both(self, part: str) -> list[int]:
+        """Indices of the joints of a part on both sides, right and left."""
+        return [self.role(f"{side}_{part}") for side in FEET]
+
     def has(self, *parts: str) -> bool:
         """Whether joints are known for these parts on both sides: ``has("hip", "shoulder")``."""
         return all(f"{side}_{part}" in self.roles for side in SIDES for part in parts)

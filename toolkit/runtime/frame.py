@@ -224,14 +224,14 @@ def planted(model, state: CharacterState, new: CharacterState) -> CharacterState
     feet = rotations[:, legs[1::3]].split(count)
 
     swivel = hold_feet(state.swivel, *feet, new.contacts, 1 / FPS)
-    soles = layout.skeleton.offsets[[layout.skeleton.role(f"{side}_toe") for side in FEET]].to(toes)
+    skeleton = layout.skeleton
+    soles = skeleton.offsets[skeleton.both("toe")].to(toes)
     raised = (R.rotate(feet[1], soles) - soles)[..., 1]
     left = torch.stack((new.root[:, 3], -new.root[:, 2]), -1)
     toes, drift = foot_lock(state.toes, state.drift, before, toes, state.contacts, new.contacts,
                             left, ground, raised, 1 / FPS)
 
     # The legs bend towards these toes. The next frame is predicted from them, seen from the root.
-    skeleton = layout.skeleton
     bent, drop, toes = solve_legs(skeleton, rotations[count:, skeleton.feature_of],
                                   world["position"][count:, 0], toes, new.contacts, state.drop,
                                   swivel, 1 / FPS)

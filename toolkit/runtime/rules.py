@@ -9,7 +9,6 @@ from typing import NamedTuple
 import numpy as np
 
 from toolkit.motion import ik, trajectory
-from toolkit.motion.skeleton import FEET
 from toolkit.networks import phase
 from toolkit.runtime import frame, steering
 
@@ -87,8 +86,7 @@ class Body(NamedTuple):
     def of(cls, skeleton) -> "Body":
         """The arrays of a skeleton."""
         joints, points = list(skeleton.feature_joints), range(len(skeleton))
-        legs = [[skeleton.role(f"{side}_{part}") for part in ("hip", "knee", "foot", "toe")]
-                for side in FEET]
+        legs = [skeleton.both(part) for part in ik.LEG]
         arms = [pair for bones in ik.arm_bones(skeleton) for pair in zip(*bones, strict=True)]
         return cls(
             parents=np.array(skeleton.parents),
@@ -96,7 +94,7 @@ class Body(NamedTuple):
             features=np.array(skeleton.feature_of),
             own=np.array([joints.index(j) if j in joints else -1 for j in points]),
             ends=np.array([j for j in points if skeleton.is_end(j)], dtype=np.int64),
-            legs=np.array(legs),
+            legs=np.array(legs).T.copy(),
             chains=np.array(ik.leg_chain(skeleton)),
             arms=np.array(arms),
         )

@@ -125,7 +125,7 @@ def lock_feet(clip: Clip, source: Clip) -> Clip:
     height error of standing toes within `RELEASE` of a frame, so that legs need not stretch.
     """
     standing = stances(source) > 0.5
-    toes = [clip.skeleton.role(f"{side}_toe") for side in contacts.FEET]
+    toes = clip.skeleton.both("toe")
     made, height = clip.global_positions[:, toes], source.global_positions[:, toes, 1]
     release = round(RELEASE * clip.fps)
     # by how much the body is too low, the mean over standing toes of the frames around

@@ -3,7 +3,6 @@
 from torch import Tensor
 
 from toolkit.motion import Clip, Skeleton
-from toolkit.motion.skeleton import FEET
 from toolkit.motion.tensors import as_tensor
 
 
@@ -31,8 +30,7 @@ def on_feet(skeleton: Skeleton, height: Tensor) -> Tensor:
     ``height [..., J]`` are heights of the joints.
     """
     hips, chest = height[..., skeleton.role("hips")], height[..., skeleton.trunk[0]]
-    ankles = height[..., [skeleton.role(f"{side}_foot") for side in FEET]].amax(-1)
-    return (chest > hips) & (hips > ankles)
+    return (chest > hips) & (hips > height[..., skeleton.both("foot")].amax(-1))
 
 
 def path_error(clip: Clip, points: Tensor) -> float:

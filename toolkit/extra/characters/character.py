@@ -89,7 +89,7 @@ class Character:
 
     def sole(self, clip: Clip) -> float:
         """Metres by which a clip on the rig is lifted: then the mesh stands on the floor."""
-        toes = [with_toes(self.skeleton).role(f"{side}_toe") for side in SIDES]
+        toes = with_toes(self.skeleton).both("toe")
         rise = float(self.rest.global_positions[0, toes, 1].amin()) - float(self.points[:, 1].min())
         if rise >= HIGH:
             return 0.0

@@ -72,8 +72,7 @@ def retarget(clip: Clip, target: Skeleton | Clip, *, feet: bool = True) -> Clip:
 
     # The path, seen between the hip joints
     scale = goal.leg / source.leg
-    hips = [own.role(f"{side}_hip") for side in SIDES]
-    middle = scale * clip.global_positions[:, hips].mean(1)
+    middle = scale * clip.global_positions[:, own.both("hip")].mean(1)
     made = _compose(clip, goal, turned, middle)
 
     # Lifted so that toes in contact are as high as in the clip
@@ -188,8 +187,8 @@ def _compose(clip: Clip, goal: Anatomy, turned: dict[int, Tensor], middle: Tenso
             world.append(rest[0].expand(len(clip), 4) if parent < 0
                          else R.multiply(world[parent], rest[joint]))
     local = R.normalize(R.unroll(local_rotations(skeleton, torch.stack(world, 1))))
-    hips = [skeleton.role(f"{side}_hip") for side in SIDES]
-    placed = forward_kinematics(skeleton, local, torch.zeros_like(middle))[1][:, hips].mean(1)
+    placed = forward_kinematics(skeleton, local, torch.zeros_like(middle))[1]
+    placed = placed[:, skeleton.both("hip")].mean(1)
     return clip.replace(skeleton=skeleton, rotations=local, root_positions=middle - placed)
 
 

@@ -84,10 +84,10 @@ def pinned(skeleton: Skeleton, rotations: Tensor, root: Tensor,
         stands = p[:, skeleton.role(f"{other}_foot")] - place
         shift = shift + goals[f"{side}_foot"][1] * stands * stands.new_tensor([0.5, 0, 0.5])
     shares = {j: (k + 1) / len(spine) for k, j in enumerate(spine)}
-    legs = {skeleton.role(f"{side}_hip") for side in FEET}
+    legs = set(skeleton.both("hip"))
     for j in range(1, len(skeleton)):
         above = [j, *skeleton.ancestors(j)]
-        if legs & set(above):
+        if not legs.isdisjoint(above):
             turned[:, j] = steps[:, j]
         else:
             shares[j] = next(shares[i] for i in above if i in shares)

@@ -108,8 +108,7 @@ def instants(clip: Clip, count: int) -> np.ndarray:
     if not clip.skeleton.has("foot", "hip", "shoulder") or len(clip) <= count:
         return even
     # how far the left foot is ahead of the right one, and the phase of its analytic signal
-    right, left = (clip.global_positions[:, clip.skeleton.role(f"{side}_foot")]
-                   for side in ("right", "left"))
+    right, left = clip.global_positions[:, clip.skeleton.both("foot")].unbind(1)
     curve = root_frames(clip).turn_to_local(left - right)[:, 2].double().numpy()
     if curve.std() < STEP:
         return even
