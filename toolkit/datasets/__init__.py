@@ -13,7 +13,7 @@ from types import ModuleType
 from toolkit import registry
 from toolkit.datasets import bandai, folder, home, procedural, style100
 from toolkit.datasets.blocks import split
-from toolkit.datasets.takes import Names, Take, check_names
+from toolkit.datasets.takes import Names, Root, Take, check_names
 from toolkit.motion import Clip
 
 __all__ = ["DATASETS", "Take", "available", "bandai", "contents", "folder", "home", "load",
@@ -23,8 +23,8 @@ __getattr__ = registry.modules(__name__, __path__)[0]
 DATASETS = {"procedural": procedural, "100style": style100, "bandai": bandai, "folder": folder}
 
 
-def load(name: str, root: str | os.PathLike | None = None, styles: Names = None,
-         gaits: Names = None, **options) -> list[Clip]:
+def load(name: str, root: Root = None, styles: Names = None, gaits: Names = None,
+         **options) -> list[Clip]:
     """Clips of a dataset, in the order of style and file name.
 
     Parameters
@@ -53,7 +53,7 @@ def load(name: str, root: str | os.PathLike | None = None, styles: Names = None,
     return module.load(**place, styles=styles, gaits=gaits, **options)
 
 
-def contents(name: str, root: str | os.PathLike | None = None) -> dict[str, dict[str, int]]:
+def contents(name: str, root: Root = None) -> dict[str, dict[str, int]]:
     """Number of takes of each style and gait, without reading any motion; errors as of `load`."""
     module = _module(name, root)
     if module is procedural:
@@ -77,7 +77,7 @@ def where(name: str) -> str:
     return f"{name}: {module.SOURCE.folder(None)}"
 
 
-def may_mirror(name: str, root: str | os.PathLike | None = None) -> Callable[[Clip | Take], bool]:
+def may_mirror(name: str, root: Root = None) -> Callable[[Clip | Take], bool]:
     """Which clips may be mirrored: all but idling and the styles that 100STYLE calls asymmetric."""
     styles = style100.styles(root) if name == "100style" else {}
 
@@ -87,7 +87,7 @@ def may_mirror(name: str, root: str | os.PathLike | None = None) -> Callable[[Cl
     return may
 
 
-def _module(name: str, root: str | os.PathLike | None) -> ModuleType:
+def _module(name: str, root: Root) -> ModuleType:
     check_names([name], DATASETS, "dataset", "toolkit")
     if name == "procedural" and root is not None:
         raise ValueError("the procedural dataset is computed and reads no folder; leave "

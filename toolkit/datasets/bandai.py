@@ -6,10 +6,9 @@ contents, dataset 2 seven styles of walking and running. The gait of a clip is t
 length: all clips have the same 21 joints.
 """
 
-import os
 import re
 
-from toolkit.datasets.takes import Names, Source
+from toolkit.datasets.takes import Names, Root, Source
 from toolkit.motion import Clip
 
 
@@ -25,7 +24,7 @@ def _source(number: str) -> Source:
 SOURCE = _source(r"\d+")
 
 
-def load(root: str | os.PathLike | None = None, styles: Names = None, gaits: Names = None, *,
+def load(root: Root = None, styles: Names = None, gaits: Names = None, *,
          dataset: int | None = None) -> list[Clip]:
     """Clips of the dataset, see `toolkit.datasets.takes.Source.load`.
 

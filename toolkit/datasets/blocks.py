@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from toolkit.datasets import bandai, style100
+from toolkit.datasets.takes import Root
 from toolkit.io import files
 from toolkit.io.files import write_whole
 
@@ -62,7 +63,7 @@ class Split:
         write_whole(Path(path), (json.dumps(self.to_json()) + "\n").encode())
 
 
-def split(name: str, root: str | os.PathLike | None = None) -> Split:
+def split(name: str, root: Root = None) -> Split:
     """The split of ``"100style"`` or ``"bandai"``; the same at every call and on every machine.
 
     100STYLE: the five styles that the published experiments hold out (`style100.HELD_OUT`) are the
@@ -86,7 +87,7 @@ def split(name: str, root: str | os.PathLike | None = None) -> Split:
     raise ValueError(f"no split of {name!r}; known: 100style, bandai")
 
 
-def _style100(root: str | os.PathLike | None) -> Split:
+def _style100(root: Root) -> Split:
     parts: dict[str, list[Block]] = {part: [] for part in PARTS}
     for (style, gait), (start, stop) in sorted(style100.frame_cuts(root).items()):
         if style in style100.HELD_OUT:
@@ -113,7 +114,7 @@ def _cut(n: int, draw: int) -> Iterable[tuple[str, int, int]]:
         first += sizes[part] + GAP
 
 
-def _bandai(root: str | os.PathLike | None) -> Split:
+def _bandai(root: Root) -> Split:
     by_style: dict[str, list[Block]] = defaultdict(list)
     for take in bandai.SOURCE.find(root):
         block = Block(take.style, take.path.stem, 0, _frames(take.path))

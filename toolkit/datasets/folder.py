@@ -23,7 +23,7 @@ from typing import NamedTuple
 
 from toolkit import registry
 from toolkit.datasets import style100
-from toolkit.datasets.takes import Names, Source, Take
+from toolkit.datasets.takes import Names, Root, Source, Take
 from toolkit.io import files
 from toolkit.io.load import read, readers
 from toolkit.io.progress import progress_bar
@@ -239,13 +239,13 @@ class Own(Source):
 
     target: Clip | None = None  # of a rig that all are retargeted to
 
-    def find(self, root: str | os.PathLike | None) -> list[Take]:
+    def find(self, root: Root) -> list[Take]:
         """All takes of a folder that can be used, by `survey`; a warning names the other files."""
         found = survey(root, self.target)
         found.warn(self.folder(root))
         return found.takes
 
-    def folder(self, root: str | os.PathLike | None) -> Path:
+    def folder(self, root: Root) -> Path:
         """The folder, which must be given."""
         if root is None:
             raise ValueError("a folder of one's own needs its path: root=FOLDER")
@@ -261,7 +261,7 @@ SOURCE = Own("folder", re.compile(".*"),
              f"recordings ({', '.join(SUFFIXES)}), and {TABLE} or a sub-folder per style", "")
 
 
-def load(root: str | os.PathLike | None = None, styles: Names = None, gaits: Names = None, *,
+def load(root: Root = None, styles: Names = None, gaits: Names = None, *,
          target: Clip | None = None) -> list[Clip]:
     """Clips of a folder, see `toolkit.datasets.takes.Source.load`.
 

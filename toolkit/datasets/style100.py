@@ -13,7 +13,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from toolkit.datasets.takes import Names, Source
+from toolkit.datasets.takes import Names, Root, Source
 from toolkit.io import bvh, files
 from toolkit.io.files import write_whole
 from toolkit.motion import Clip
@@ -54,8 +54,7 @@ class StyleInfo:
     notes: str
 
 
-def load(root: str | os.PathLike | None = None, styles: Names = None,
-         gaits: Names = None) -> list[Clip]:
+def load(root: Root = None, styles: Names = None, gaits: Names = None) -> list[Clip]:
     """Clips of the dataset, see `toolkit.datasets.takes.Source.load`; gaits are keys of `GAITS`.
 
     A clip has only the frames from START to STOP (excluded) of ``Frame_Cuts.csv``. STOP may lie
@@ -128,7 +127,7 @@ def save(clips: Iterable[Clip], folder: str | os.PathLike, infos: Iterable[Style
         write_whole(folder / name, text.getvalue().encode())
 
 
-def frame_cuts(root: str | os.PathLike | None = None) -> dict[tuple[str, str], tuple[int, int]]:
+def frame_cuts(root: Root = None) -> dict[tuple[str, str], tuple[int, int]]:
     """START and STOP (frames at 60 Hz) of every take by (style, gait), from ``Frame_Cuts.csv``."""
     cuts = {}
     path, rows = _table(root, "Frame_Cuts.csv")
@@ -149,7 +148,7 @@ def frame_cuts(root: str | os.PathLike | None = None) -> dict[tuple[str, str], t
     return cuts
 
 
-def styles(root: str | os.PathLike | None = None) -> dict[str, StyleInfo]:
+def styles(root: Root = None) -> dict[str, StyleInfo]:
     """Description of each style by its name, in the order of ``Dataset_List.csv``."""
     infos = {}
     path, rows = _table(root, "Dataset_List.csv")
@@ -164,8 +163,7 @@ def styles(root: str | os.PathLike | None = None) -> dict[str, StyleInfo]:
     return infos
 
 
-def _table(root: str | os.PathLike | None, name: str
-           ) -> tuple[Path, list[tuple[int, dict[str, str]]]]:
+def _table(root: Root, name: str) -> tuple[Path, list[tuple[int, dict[str, str]]]]:
     """Path and (line number, row) of one of `TABLES`; ValueError if it cannot be read."""
     folder = SOURCE.folder(root)
     path = next((path for path in files.below(folder) if path.name == name), None)

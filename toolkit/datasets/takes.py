@@ -13,6 +13,7 @@ from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip
 
 Names = str | Iterable[str] | None
+Root = str | os.PathLike | None  # a dataset's folder; None: its folder on this machine
 
 
 @dataclass(frozen=True)
@@ -35,8 +36,7 @@ class Source:
     gaits: Iterable[str] = ()  # that are known even if a folder has no file of them
     unit: float = bvh.CENTIMETRE  # metres of one unit of length in the files
 
-    def load(self, root: str | os.PathLike | None = None, styles: Names = None,
-             gaits: Names = None) -> list[Clip]:
+    def load(self, root: Root = None, styles: Names = None, gaits: Names = None) -> list[Clip]:
         """Clips of the dataset, by path.
 
         ``root`` is a folder with the files, at any depth; by default the dataset's folder on this
@@ -49,7 +49,7 @@ class Source:
         """
         return list(self.read(self.choose(root, styles, gaits)))
 
-    def folder(self, root: str | os.PathLike | None) -> Path:
+    def folder(self, root: Root) -> Path:
         """The dataset's folder: ``root``, or its folder on this machine."""
         if root is None:
             return home.find(self.name, self.layout, self.home)
@@ -60,7 +60,7 @@ class Source:
                              f"{self.layout}; get it at {self.home}")
         return folder
 
-    def find(self, root: str | os.PathLike | None) -> list[Take]:
+    def find(self, root: Root) -> list[Take]:
         """All takes in a folder and its sub-folders, by path; ValueError if there is none."""
         folder = self.folder(root)
         found = ((path, self.pattern.fullmatch(path.name)) for path in files.below(folder))
@@ -70,7 +70,7 @@ class Source:
                              f"{self.layout}; get it at {self.home}")
         return takes
 
-    def choose(self, root: str | os.PathLike | None, styles: Names, gaits: Names,
+    def choose(self, root: Root, styles: Names, gaits: Names,
                known_styles: Iterable[str] = ()) -> list[Take]:
         """The takes of some styles and gaits (None: all).
 
