@@ -226,7 +226,7 @@ def _legs(plan: Plan, rhythm: _Rhythm, feet: dict[str, Foot],
 
     # in the swing a kicking leg is straight: its direction is blended with that of the kick …
     reach = ankles - hip
-    far = reach.norm(dim=-1, keepdim=True)
+    far = R.length(reach)
     angles = [math.radians(plan.style.leg(side).kick) for side in SIDES]
     angle = torch.tensor(angles, dtype=torch.float64)
     aim = torch.stack((0 * angle, -torch.cos(angle), torch.sin(angle)), -1) * angle.sign()[:, None]

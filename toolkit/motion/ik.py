@@ -68,10 +68,10 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
     """
     # The end lies on the line from the root to the target, as far away as the target, but not
     # beyond the soft limit nor nearer than the folded limb.
-    upper, lower = (b - a).norm(dim=-1, keepdim=True), (c - b).norm(dim=-1, keepdim=True)
+    upper, lower = R.length(b - a), R.length(c - b)
     full = upper + lower
     reach = target - a
-    wanted = reach.norm(dim=-1, keepdim=True)
+    wanted = R.length(reach)
     line = R.normalize(torch.where(wanted > 1e-9, reach, c - a + 1e-9))
     margin = (soft * full).clamp_min(1e-9)
     over = (wanted - (full - margin)).clamp_min(0.0)
@@ -84,9 +84,9 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
     if left is not None:
         front = torch.linalg.cross(line, R.normalize(left).expand_as(line))
         across = across - 2 * (across * front).sum(-1, keepdim=True).clamp_max(0.0) * front
-        across = across + (STRAIGHT - across.norm(dim=-1, keepdim=True)).clamp_min(0.0) * front
+        across = across + (STRAIGHT - R.length(across)).clamp_min(0.0) * front
     aside = torch.linalg.cross(line, R.least_axis(line))
-    across = R.normalize(torch.where(across.norm(dim=-1, keepdim=True) > 1e-5, across, aside))
+    across = R.normalize(torch.where(R.length(across) > 1e-5, across, aside))
 
     # How far along the line and beside it, by the law of cosines.
     along = (upper**2 - lower**2 + distance**2) / (2 * distance)
@@ -126,8 +126,7 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, wa
     """
     # All offsets are from the prediction. That of a held toe is such that the toe stays in its
     # place; that of a free one decays. A toe that lands is between, but for its height.
-    offset, behind = toes - before, toes - predicted
-    behind = behind * (SLACK / behind.norm(dim=-1, keepdim=True).clamp_min(SLACK))
+    offset, behind = toes - before, R.limited(toes - predicted, SLACK)
     free, slower = spring(offset, drift, RETURN, seconds)
     held = contacts[..., None] > 0.5
     lands = (contacts > was)[..., None] & (predicted[..., 1:2] < ground + UNEVEN)

@@ -27,6 +27,16 @@ def normalize(v: Tensor) -> Tensor:
     return v / torch.linalg.vector_norm(v, dim=-1, keepdim=True).clamp_min(1e-12)
 
 
+def length(v: Tensor) -> Tensor:
+    """Lengths ``[..., 1]`` of vectors."""
+    return v.norm(dim=-1, keepdim=True)
+
+
+def limited(v: Tensor, most: float) -> Tensor:
+    """Vectors in the directions of ``v``, no longer than ``most``."""
+    return v * (most / length(v).clamp_min(most))
+
+
 def multiply(a: Tensor, b: Tensor) -> Tensor:
     """Hamilton product ``a b``: the rotation ``b`` followed by ``a``."""
     return torch.stack(multiply_parts(a.unbind(-1), b.unbind(-1)), -1)

@@ -171,24 +171,24 @@ def predicted(model, state: CharacterState, command: Command) -> CharacterState:
 
     # Pose: the mean of predicted and integrated positions, at most `JUMP` from the integrated ones.
     # A leg in contact is only integrated, so that toes do not jump.
-    was, now = split_joints(state.joints), split_joints(out["joints"])
+    was, now, legs = split_joints(state.joints), split_joints(out["joints"]), leg_joints(layout)
     share = torch.full_like(was["position"][..., :1], 0.5)
-    share[:, leg_joints(layout), 0] *= 1.0 - (2 * contacts).clamp_max(1.0).repeat_interleave(3, -1)
+    share[:, legs, 0] *= 1.0 - (2 * contacts).clamp_max(1.0).repeat_interleave(3, -1)
     position = was["position"] + now["velocity"] / FPS
     change = share * (now["position"] - position)
-    limited = change * (JUMP / change.norm(dim=-1, keepdim=True).clamp_min(JUMP))
-    limited[:, leg_joints(layout)] = change[:, leg_joints(layout)]
+    limited = R.limited(change, JUMP)
+    limited[:, legs] = change[:, legs]
     position = position + limited
 
     # A model may have a factor `lift` on the height of toes in the air.
     swing = getattr(model, "lift", 1.0) - 1.0
-    toes = leg_joints(layout)[2::3]
+    toes = legs[2::3]
     height = position[:, toes, 1]
     in_the_air = 1.0 - (2 * contacts).clamp_max(1.0)
     position[:, toes, 1] += swing * in_the_air * (height - ground).clamp_min(0.0)
 
     # A start: pose and phase, as the root, go the share 1 - held of a frame.
-    moves = steered.velocity.norm(dim=-1, keepdim=True) > MOVES
+    moves = R.length(steered.velocity) > MOVES
     held = torch.where(moves, steered.rest, 0.0)
     position = torch.lerp(position, was["position"], held[:, None])
     for axis in ("forward", "up"):

@@ -100,14 +100,13 @@ def steer(state: CharacterState, command: Command,
                              f"{characters}, got {len(pairs)}")
 
     # Smoothed command; a zero facing keeps the current one.
-    look = torch.where(look.norm(dim=-1, keepdim=True) > 1e-6, look, state.facing)
+    look = torch.where(R.length(look) > 1e-6, look, state.facing)
     change = GAIN * (wanted - state.velocity)
-    most = FASTEST / FPS
-    velocity = state.velocity + change * (most / change.norm(dim=-1, keepdim=True).clamp_min(most))
+    velocity = state.velocity + R.limited(change, FASTEST / FPS)
     facing = turn(state.facing, look, GAIN, SPIN / FPS)
 
     # Standing: a share that grows while the command is to stand.
-    speed = velocity.norm(dim=-1, keepdim=True)
+    speed = R.length(velocity)
     change = torch.where(speed < MOVES, 1 / (STANDING * FPS), -1 / (STARTING * FPS))
     rest = (state.rest + change).clamp(0.0, 1.0)
 
@@ -117,13 +116,13 @@ def steer(state: CharacterState, command: Command,
     asked, aside, across = direction_controller(state, velocity)
     slow = (1.0 - torch.minimum(speed / SLOW, state.drive / LOW)).clamp_min(0.0)
     moved = _moved(state, -1)
-    walks = wanted.norm(dim=-1, keepdim=True) / moved.norm(dim=-1, keepdim=True).clamp_min(SLOW)
+    walks = R.length(wanted) / R.length(moved).clamp_min(SLOW)
     wanted_now = torch.lerp(velocity, asked, walks.clamp_max(1.0))
     pull = state.drive * velocity + RETURN * slow * (wanted_now - moved) + across
 
     # A character that stands still, or goes elsewhere at low speed, does not go where it should.
     along = (moved * R.normalize(velocity)).sum(-1, keepdim=True) / (LOW * speed).clamp_min(1e-6)
-    slowly = (2.0 - moved.norm(dim=-1, keepdim=True) / SLOW).clamp(0.0, 1.0)
+    slowly = (2.0 - R.length(moved) / SLOW).clamp(0.0, 1.0)
     astray = _moves(speed) * slowly * (1.0 - along).clamp(0.0, 1.0)
 
     # Shares of the target in the blend: they grow with time, with standing, and if it goes astray.
@@ -163,12 +162,12 @@ def direction_controller(state: CharacterState, velocity: Tensor) -> tuple[Tenso
     lateral = ((_moved(state, -1) - asked) * left).sum(-1, keepdim=True)
 
     # Its sum over time, which a standing character forgets.
-    moves = velocity.norm(dim=-1, keepdim=True) > MOVES
+    moves = R.length(velocity) > MOVES
     learnt = (state.aside + SIDEWAYS_SUM * lateral).clamp(-1.0, 1.0)
     aside = torch.where(moves, learnt, FORGET * state.aside)
 
     # Proportional and integral part, against the lateral velocity.
-    push = _moves(velocity.norm(dim=-1, keepdim=True)) * (SIDEWAYS * lateral + aside)
+    push = _moves(R.length(velocity)) * (SIDEWAYS * lateral + aside)
     return asked, aside, -push * state.drive.clamp_min(1.0) * left
 
 
@@ -192,7 +191,7 @@ def speed_controller(state: CharacterState, velocity: Tensor) -> Tensor:
     a command is in m/s for every model and style. Without the proportional part some styles
     alternate between walk and run, or stay in a run.
     """
-    wanted, heading = velocity.norm(dim=-1, keepdim=True), R.normalize(velocity)
+    wanted, heading = R.length(velocity), R.normalize(velocity)
 
     def lag(now: int) -> Tensor:
         reached = (_moved(state, now) * heading).sum(-1, keepdim=True)
@@ -285,7 +284,7 @@ def towards(state: CharacterState, goal: Tensor, facing: Tensor, speed: float | 
     Late characters walk faster.
     """
     velocity = (goal.to(state.root) - state.root[:, :2]) / LOOKAHEAD
-    fast = velocity.norm(dim=-1, keepdim=True).clamp_min(1e-6)
+    fast = R.length(velocity).clamp_min(1e-6)
     return Command(velocity * (1.5 * speed / fast).clamp(max=1.0), facing)
 
 

@@ -212,7 +212,7 @@ def _plant(clip: Clip, made: Clip, turned: dict[int, Tensor], scale: float,
         shift[:, 1] = torch.maximum(shift[:, 1], floor - toes[:, foot, 1])
         full = ((b - a).norm(dim=-1) + (c - b).norm(dim=-1))[:, None]
         # a leg without correction keeps its bend
-        soft = (1 - (c - a).norm(dim=-1, keepdim=True) / full).clamp(0.0, SOFT)
+        soft = (1 - R.length(c - a) / full).clamp(0.0, SOFT)
         middle, end = two_bone(a, b, c, c + shift, soft=soft)
         for joint, old, new in ((hip, b - a, middle - a), (knee, c - b, end - middle)):
             turned[joint] = R.multiply(R.between(old, new), turned[joint])

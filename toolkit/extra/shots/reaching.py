@@ -208,8 +208,8 @@ def _leaned(skeleton: Skeleton, p: Tensor, spine: list[int],
 
 def _lack(way: Tensor, a: Tensor, b: Tensor, c: Tensor) -> tuple[Tensor, Tensor]:
     """By how much a limb is too short for a place, or too long (negative), and how far it is."""
-    far = way.norm(dim=-1, keepdim=True).clamp_min(1e-6)
-    full = (b - a).norm(dim=-1, keepdim=True) + (c - b).norm(dim=-1, keepdim=True)
+    far = R.length(way).clamp_min(1e-6)
+    full = R.length(b - a) + R.length(c - b)
     lack, spare = (torch.where(over > SMOOTH, over, (over + SMOOTH).clamp_min(0).square()
                                / (4 * SMOOTH)) for over in (far - REACH * full, FOLD * full - far))
     return lack - spare, far
@@ -218,7 +218,7 @@ def _lack(way: Tensor, a: Tensor, b: Tensor, c: Tensor) -> tuple[Tensor, Tensor]
 def _arc(a: Tensor, b: Tensor) -> Tensor:
     """Rotation vector ``[F, 3]`` of the shortest turn from a direction to another."""
     axis = torch.linalg.cross(a, b)
-    size = axis.norm(dim=-1, keepdim=True)
+    size = R.length(axis)
     return torch.atan2(size, (a * b).sum(-1, keepdim=True)) * axis / size.clamp_min(1e-9)
 
 
@@ -234,13 +234,13 @@ def _swung(a: Tensor, b: Tensor, aside: Tensor, w: Tensor) -> Tensor:
 def _looked(ahead: Tensor, way: Tensor) -> Tensor:
     """Rotation vector ``[F, 3]`` of a head, at most `LOOK`, and none to what is behind it."""
     arc = _arc(ahead, way)
-    fade = ((torch.pi - arc.norm(dim=-1, keepdim=True)) / BEHIND).clamp(0, 1)
+    fade = ((torch.pi - R.length(arc)) / BEHIND).clamp(0, 1)
     return fade**2 * (3 - 2 * fade) * _limited(arc, LOOK)
 
 
 def _limited(v: Tensor, most: float) -> Tensor:
     """Vectors no longer than a limit, which they approach smoothly from nine tenths of it on."""
-    size = v.norm(dim=-1, keepdim=True)
+    size = R.length(v)
     over = (size / most - 0.9).clamp_min(0.0)
     soft = most * (1 - 0.1 * torch.exp(-10 * over))
     return v * torch.where(over > 0, soft / size.clamp_min(1e-9), 1.0)
@@ -248,5 +248,5 @@ def _limited(v: Tensor, most: float) -> Tensor:
 
 def _turn(v: Tensor) -> Tensor:
     """The rotation of a rotation vector."""
-    size = v.norm(dim=-1, keepdim=True)
+    size = R.length(v)
     return R.from_axis_angle(v / size.clamp_min(1e-9), size[..., 0])
