@@ -3,13 +3,13 @@
 import re
 import sys
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 from tqdm import tqdm
 
 from toolkit import datasets
-from toolkit.cli.verbs import ClipSeconds, Names, Root, Seed, Selection, say
+from toolkit.cli.verbs import ClipSeconds, Root, Seed, Selection, names, say
 from toolkit.datasets import blocks, home, procedural
 from toolkit.datasets.fetch import ORIGINS, RECORD, fetch, find, has, record
 from toolkit.io import save as saving
@@ -26,8 +26,8 @@ def data_fetch(
         "--from", help="Another copy: a file or an address.")] = None,
     sha256: Annotated[str | None, typer.Option(
         help="Checksum of the archive, where it is not the published one.")] = None,
-    styles: Annotated[Names | None, typer.Option(
-        parser=Names, metavar="A,B,…",
+    styles: Annotated[Any, typer.Option(
+        parser=names, metavar="A,B,…",
         help="Fetch only these styles of 100style, about 15 MB each; others can be added later."
     )] = None,
     yes: Annotated[bool, typer.Option(

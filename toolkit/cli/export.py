@@ -15,16 +15,17 @@ from toolkit.training import published
 
 Figure = Annotated[Path | None, typer.Option(
     "--character", help="glTF, VRM or FBX file with a skinned mesh, in place of the mannequin.")]
+Title = Annotated[str, typer.Option(help="Heading of the page.")]
+Half = Annotated[bool, typer.Option("--half", help="Store numbers in 16 bits: half the size.")]
 
 
 def web(
     out: Annotated[Path, typer.Option(help="Page to write: .html.")],
     model: TrainedRun = None,
     parameters: Published = None,
-    title: Annotated[str, typer.Option(help="Heading of the page.")] = "A character in any style",
+    title: Title = "A character in any style",
     styles: Selection = None,
-    half: Annotated[bool, typer.Option(
-        "--half", help="Store numbers in 16 bits: half the size.")] = False,
+    half: Half = False,
     character: Figure = None,
     characters: Annotated[int, typer.Option(
         min=1, help="Number of characters; all but the first walk on rings.")] = 1,

@@ -15,11 +15,9 @@ import typer
 from typer.core import TyperCommand, TyperGroup
 
 
-class Names(list):
+def names(text: str) -> list[str]:
     """Names that the user separated by commas."""
-
-    def __init__(self, text: str):
-        super().__init__(text.split(","))
+    return text.split(",")
 
 
 def _roles(text: str) -> dict[str, str]:
@@ -37,8 +35,8 @@ TrainedRun = Annotated[Path | None, typer.Option(
     "--model", help="File of a trained model, or procedural (the default), or recorded; "
                       "MODULE:FILE for a model of your own.")]
 Root = Annotated[Path | None, typer.Option(help="Folder that holds the dataset.")]
-Selection = Annotated[Names | None, typer.Option(
-    parser=Names, metavar="A,B,…", help="Names to use; by default all.")]
+Selection = Annotated[Any, typer.Option(
+    parser=names, metavar="A,B,…", help="Names to use; by default all.")]
 Mirror = Annotated[bool, typer.Option(
     "--mirror", help="Add mirror images (100STYLE: of symmetric styles).")]
 Listed = Annotated[bool, typer.Option(

@@ -113,10 +113,12 @@ class Layout:
         """The J feature joints."""
         return tuple(self.skeleton.names[j] for j in self.skeleton.feature_joints)
 
-    @property
+    @cached_property
     def parents(self) -> tuple[int, ...]:
         """Parents of the feature joints, as indices into them; -1 for the root."""
-        return self.skeleton.feature_parents
+        skeleton = self.skeleton
+        above = (skeleton.parents[j] for j in skeleton.feature_joints[1:])
+        return (-1, *(skeleton.feature_of[p] for p in above))
 
     @property
     def n_joints(self) -> int:
@@ -169,9 +171,8 @@ class Layout:
 
     def bone_lengths(self, positions: Tensor) -> Tensor:
         """Distances ``[..., J - 1]`` of feature joints at ``[..., J, 3]`` from their parents."""
-        child = [joint for joint, parent in enumerate(self.parents) if parent >= 0]
-        parent = [self.parents[joint] for joint in child]
-        return (positions[..., child, :] - positions[..., parent, :]).norm(dim=-1)
+        above = list(self.parents[1:])
+        return (positions[..., 1:, :] - positions[..., above, :]).norm(dim=-1)
 
     def joint_positions(self, z: Tensor) -> Tensor:
         """Joint positions ``[..., J, 3]`` of an output frame, metres, in the current root frame."""

@@ -141,12 +141,6 @@ class Skeleton:
         place = {j: i for i, j in enumerate(self.feature_joints)}
         return [place[j if j in place else self.parents[j]] for j in range(len(self))]
 
-    @cached_property
-    def feature_parents(self) -> tuple[int, ...]:
-        """Parents of `feature_joints`, as indices into them."""
-        above = (self.parents[j] for j in self.feature_joints)
-        return tuple(self.feature_of[p] if p >= 0 else -1 for p in above)
-
     def levels(self, device: torch.device) -> Levels:
         """The joints by their depth below the root; made once for each device."""
         kept = self.__dict__.setdefault("_levels", {})

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from toolkit import runtime
-from toolkit.cli.export import Figure, wrote
+from toolkit.cli.export import Figure, Half, Title, wrote
 from toolkit.cli.verbs import Published, Selection, TrainedRun, say
 from toolkit.evaluation.findings import told
 from toolkit.extra import shots
@@ -61,10 +61,9 @@ def director(
         "--shots", help="JSON file of the first shots.")] = None,
     model: TrainedRun = None,
     parameters: Published = None,
-    title: Annotated[str, typer.Option(help="Heading of the page.")] = "Plan a shot",
+    title: Title = "Plan a shot",
     styles: Selection = None,
-    half: Annotated[bool, typer.Option(
-        "--half", help="Store numbers in 16 bits: half the size.")] = False,
+    half: Half = False,
     character: Figure = None,
 ) -> None:
     """Write one page in which shots are planned: a floor map, a timeline of styles, the characters
