@@ -7,6 +7,7 @@ from typing import Annotated, Any
 
 import typer
 from tqdm import tqdm
+from typer import Argument, Option
 
 from toolkit import datasets
 from toolkit.cli.verbs import ClipSeconds, Root, Seed, Selection, names, say
@@ -19,19 +20,18 @@ app = typer.Typer(no_args_is_help=True, add_completion=False)
 
 @app.command("fetch")
 def data_fetch(
-    name: Annotated[str, typer.Argument(help=f"One of {', '.join(ORIGINS)}.")],
-    root: Annotated[Path | None, typer.Option(
+    name: Annotated[str, Argument(help=f"One of {', '.join(ORIGINS)}.")],
+    root: Annotated[Path | None, Option(
         help="Folder for the dataset; by default where verbs look for it.")] = None,
-    source: Annotated[str | None, typer.Option(
+    source: Annotated[str | None, Option(
         "--from", help="Another copy: a file or an address.")] = None,
-    sha256: Annotated[str | None, typer.Option(
+    sha256: Annotated[str | None, Option(
         help="Checksum of the archive, where it is not the published one.")] = None,
-    styles: Annotated[Any, typer.Option(
+    styles: Annotated[Any, Option(
         parser=names, metavar="A,B,…",
         help="Fetch only these styles of 100style, about 15 MB each; others can be added later."
     )] = None,
-    yes: Annotated[bool, typer.Option(
-        "--yes", "-y", help="Do not ask; the terms are accepted.")] = False,
+    yes: Annotated[bool, Option("--yes", "-y", help="Do not ask; the terms are accepted.")] = False,
 ) -> None:
     """Download a dataset, after showing its size and terms; it goes on where it was interrupted."""
     if sha256 and not re.fullmatch("[0-9a-fA-F]{64}", sha256):
@@ -65,7 +65,7 @@ def data_fetch(
 
 @app.command("list")
 def data_list(
-    name: Annotated[str, typer.Argument(help=f"Dataset: {', '.join(datasets.DATASETS)}.")],
+    name: Annotated[str, Argument(help=f"Dataset: {', '.join(datasets.DATASETS)}.")],
     root: Root = None,
 ) -> None:
     """List the styles of a dataset, and how many takes of each gait the folder holds."""
@@ -76,8 +76,8 @@ def data_list(
 
 @app.command("split")
 def data_split(
-    name: Annotated[str, typer.Argument(help="Dataset: 100style, bandai.")],
-    out: Annotated[Path, typer.Option(help="JSON file to write.")],
+    name: Annotated[str, Argument(help="Dataset: 100style, bandai.")],
+    out: Annotated[Path, Option(help="JSON file to write.")],
     root: Root = None,
 ) -> None:
     """Write training, validation and test parts without leaks, as lists of takes and frames."""
@@ -94,8 +94,8 @@ def data_split(
 
 @app.command("write")
 def data_write(
-    name: Annotated[str, typer.Argument(help="Dataset: procedural.")],
-    out: Annotated[Path, typer.Option(help="Folder to write.")],
+    name: Annotated[str, Argument(help="Dataset: procedural.")],
+    out: Annotated[Path, Option(help="Folder to write.")],
     styles: Selection = None,
     gaits: Selection = None,
     clip_seconds: ClipSeconds = 8.0,

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Annotated
 
 import torch
-import typer
+from typer import Option
 
 from toolkit import datasets, features, runtime, training
 from toolkit.cli.verbs import Seed, say
@@ -106,8 +106,8 @@ def make(folder: Path, seconds: float = 35.0, *, data_seconds: float = 60.0, see
 
 
 def demo(
-    out: Annotated[Path, typer.Option(help="Folder to write.")] = Path("out/demo"),
-    minutes: Annotated[float, typer.Option(min=0, help="Time budget of the training.")] = 0.6,
+    out: Annotated[Path, Option(help="Folder to write.")] = Path("out/demo"),
+    minutes: Annotated[float, Option(min=0, help="Time budget of the training.")] = 0.6,
     seed: Seed = 0,
 ) -> None:
     """Make something to look at: a small model is trained, and walks through three styles."""

@@ -5,7 +5,7 @@ import math
 from pathlib import Path
 from typing import Annotated
 
-import typer
+from typer import Argument, Option
 
 from toolkit import evaluation
 from toolkit.cli import motion_files
@@ -18,18 +18,17 @@ from toolkit.motion import Clip, root_frames
 
 
 def evaluate(
-    folders: Annotated[list[Path], typer.Argument(
+    folders: Annotated[list[Path], Argument(
         help="Folder of motion files, or one file; several folders are several methods.")],
-    real: Annotated[Path | None, typer.Option(
+    real: Annotated[Path | None, Option(
         help="Folder of real motion; files of the same names are pairs.")] = None,
     unit: Unit = "auto",
     up: Up = "auto",
     roles: Roles = None,
-    recogniser: Annotated[Path | None, typer.Option(
+    recogniser: Annotated[Path | None, Option(
         help="File of a recogniser of styles, for FMD, diversity and recognition (the style of a "
              "file as in `train`).")] = None,
-    out: Annotated[Path | None, typer.Option(
-        help="File for the table: .json, .csv or .tex.")] = None,
+    out: Annotated[Path | None, Option(help="File for the table: .json, .csv or .tex.")] = None,
 ) -> None:
     """Measure motion files with the field's measures, beside real ones.
 

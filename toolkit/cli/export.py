@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Annotated
 
-import typer
+from typer import Argument, Option
 
 from toolkit import registry
 from toolkit.cli import motion_files
@@ -13,21 +13,21 @@ from toolkit.evaluation.findings import told
 from toolkit.io import save as saving
 from toolkit.training import published
 
-Figure = Annotated[Path | None, typer.Option(
+Figure = Annotated[Path | None, Option(
     "--character", help="glTF, VRM or FBX file with a skinned mesh, in place of the mannequin.")]
-Title = Annotated[str, typer.Option(help="Heading of the page.")]
-Half = Annotated[bool, typer.Option("--half", help="Store numbers in 16 bits: half the size.")]
+Title = Annotated[str, Option(help="Heading of the page.")]
+Half = Annotated[bool, Option("--half", help="Store numbers in 16 bits: half the size.")]
 
 
 def web(
-    out: Annotated[Path, typer.Option(help="Page to write: .html.")],
+    out: Annotated[Path, Option(help="Page to write: .html.")],
     model: TrainedRun = None,
     parameters: Published = None,
     title: Title = "A character in any style",
     styles: Selection = None,
     half: Half = False,
     character: Figure = None,
-    characters: Annotated[int, typer.Option(
+    characters: Annotated[int, Option(
         min=1, help="Number of characters; all but the first walk on rings.")] = 1,
 ) -> None:
     """Write one page with network, styles and scene, which shows a character to steer."""
@@ -40,8 +40,8 @@ def web(
 
 
 def clip(
-    source: Annotated[Path, typer.Argument(metavar="IN", help="Motion file.")],
-    out: Annotated[Path, typer.Option(help=f"File to write: {', '.join(saving.suffixes())}.")],
+    source: Annotated[Path, Argument(metavar="IN", help="Motion file.")],
+    out: Annotated[Path, Option(help=f"File to write: {', '.join(saving.suffixes())}.")],
     skeleton: Target = None,
     character: Figure = None,
     unit: Unit = "auto",

@@ -4,7 +4,7 @@ import math
 from pathlib import Path
 from typing import Annotated
 
-import typer
+from typer import Argument, Option
 
 from toolkit import registry
 from toolkit.cli.verbs import Animation, Roles, Unit, Up, say
@@ -12,12 +12,12 @@ from toolkit.io import save as saving
 
 
 def inspect(
-    file: Annotated[Path, typer.Argument(help="Motion file: BVH, glTF, VRM, FBX, NPZ.")],
+    file: Annotated[Path, Argument(help="Motion file: BVH, glTF, VRM, FBX, NPZ.")],
     unit: Unit = "auto",
     up: Up = "auto",
     roles: Roles = None,
     animation: Animation = None,
-    picture: Annotated[Path | None, typer.Option(help="Strip of poses to write: .png.")] = None,
+    picture: Annotated[Path | None, Option(help="Strip of poses to write: .png.")] = None,
 ) -> None:
     """Show what a motion file holds, and how it is understood.
 

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated
 
-import typer
+from typer import Option
 
 from toolkit import datasets
 from toolkit.cli.verbs import say
@@ -13,7 +13,7 @@ from toolkit.datasets import folder as own
 from toolkit.datasets.procedural import SKELETON
 from toolkit.motion import Clip, rotations
 
-Target = Annotated[str | None, typer.Option(
+Target = Annotated[str | None, Option(
     "--skeleton", help="Retarget to a skeleton: 100style, or a file of it, best with a T-pose.")]
 
 

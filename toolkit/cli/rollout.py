@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Annotated
 
 import torch
-import typer
+from typer import Option
 
 from toolkit import runtime
 from toolkit.cli.export import Figure
@@ -20,19 +20,18 @@ HARDLY = 0.5  # of the speed that was asked: a doubt
 
 
 def rollout(
-    style: Annotated[str, typer.Option(help="A style, or a blend like Zombie=0.5,Old=0.5.")],
-    out: Annotated[Path, typer.Option(
+    style: Annotated[str, Option(help="A style, or a blend like Zombie=0.5,Old=0.5.")],
+    out: Annotated[Path, Option(
         help=f"File to write: {', '.join(saving.suffixes())} (.png: a strip).")],
     model: TrainedRun = None,
     parameters: Published = None,
-    seconds: Annotated[float, typer.Option(
-        help="Length of the motion.", min=0.02, max=3600)] = 10.0,
-    speed: Annotated[float | None, typer.Option(
+    seconds: Annotated[float, Option(help="Length of the motion.", min=0.02, max=3600)] = 10.0,
+    speed: Annotated[float | None, Option(
         help="Metres per second; default: natural for the style.")] = None,
-    life: Annotated[float | None, typer.Option(
+    life: Annotated[float | None, Option(
         help="How much the style wanders, 0 to 1; default: as the model needs.")] = None,
-    seed: Annotated[int, typer.Option(help="Of this wandering.")] = 0,
-    ik: Annotated[bool, typer.Option(help="Foot and arm IK.")] = True,
+    seed: Annotated[int, Option(help="Of this wandering.")] = 0,
+    ik: Annotated[bool, Option(help="Foot and arm IK.")] = True,
     character: Figure = None,
 ) -> None:
     """Walk straight ahead in a style, write the motion and print measurements."""

@@ -5,6 +5,7 @@ from shlex import quote
 from typing import Annotated
 
 import typer
+from typer import Option
 
 from toolkit import registry, runtime
 from toolkit.cli import motion_files
@@ -29,15 +30,15 @@ app = typer.Typer(no_args_is_help=True, add_completion=False)
 
 @app.command("add")
 def add(
-    clips: Annotated[Path, typer.Option(
+    clips: Annotated[Path, Option(
         help="A motion file of the style, or a folder of them; whole files are used.")],
-    name: Annotated[str, typer.Option(help="Name of the new style.")],
-    out: Annotated[Path, typer.Option(help="File to write: the model, with one more style.")],
+    name: Annotated[str, Option(help="Name of the new style.")],
+    out: Annotated[Path, Option(help="File to write: the model, with one more style.")],
     model: TrainedRun = None,
     parameters: Published = None,
-    steps: Annotated[int, typer.Option(min=1, help="Steps of gradient descent.")] = STEPS,
+    steps: Annotated[int, Option(min=1, help="Steps of gradient descent.")] = STEPS,
     seed: Seed = 0,
-    anyway: Annotated[bool, typer.Option(
+    anyway: Annotated[bool, Option(
         "--anyway", help="Learn from what is no walk, and write a style that failed.")] = False,
     unit: Unit = "auto",
     up: Up = "auto",

@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Annotated
 
-import typer
+from typer import Option
 
 from toolkit.cli import motion_files
 from toolkit.cli.verbs import Roles, Seed, Unit, Up, say
@@ -16,20 +16,20 @@ from toolkit.stylization.restyling import stylize
 
 
 def stylize_clip(
-    clip: Annotated[Path, typer.Option(
+    clip: Annotated[Path, Option(
         help="Motion file to restyle, on the skeleton of the training data.")],
-    out: Annotated[Path, typer.Option(
+    out: Annotated[Path, Option(
         help=f"File to write: {', '.join(saving.suffixes())} (pictures: beside the source).")],
-    model: Annotated[Path | None, typer.Option(
+    model: Annotated[Path | None, Option(
         help="File of train-stylizer; by default the embedded one.")] = None,
-    domain: Annotated[str | None, typer.Option(
+    domain: Annotated[str | None, Option(
         help="Target style; with --reference, the style of that clip.")] = None,
     seed: Seed = 0,
-    reference: Annotated[Path | None, typer.Option(
+    reference: Annotated[Path | None, Option(
         help="Motion file whose style is used instead of noise.")] = None,
-    blend: Annotated[str | None, typer.Option(
+    blend: Annotated[str | None, Option(
         help="Style of the clip: makes a blend, half network, half shift of mean poses.")] = None,
-    feet: Annotated[bool, typer.Option(help="Remove foot skate.")] = True,
+    feet: Annotated[bool, Option(help="Remove foot skate.")] = True,
     unit: Unit = "auto",
     up: Up = "auto",
     roles: Roles = None,

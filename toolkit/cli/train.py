@@ -4,7 +4,7 @@ import math
 from pathlib import Path
 from typing import Annotated
 
-import typer
+from typer import Option
 
 from toolkit import datasets, features, networks, registry, training
 from toolkit.cli.motion_files import Target, dataset, show, target
@@ -25,10 +25,10 @@ from toolkit.training import distributed
 
 
 def train(
-    data: Annotated[str, typer.Option(
+    data: Annotated[str, Option(
         help=f"Dataset: {', '.join(datasets.DATASETS)}; or the folder of a store, or of recordings "
              "of your own.")],
-    out: Annotated[Path, typer.Option(
+    out: Annotated[Path, Option(
         help="File to write: model, style bank and training record (safetensors).")],
     root: Root = None,
     styles: Selection = None,
@@ -37,29 +37,28 @@ def train(
     mirror: Mirror = False,
     listed: Listed = False,
     clip_seconds: ClipSeconds = None,
-    model: Annotated[str, typer.Option(
+    model: Annotated[str, Option(
         help=f"One of {', '.join(networks.MODELS)}; or MODULE:NAME, a model of your own that a "
              "module or a Python file registers.")] = "lpn-film",
-    minutes: Annotated[float | None, typer.Option(
-        min=0, help="Time budget of the training.")] = None,
-    epochs: Annotated[float | None, typer.Option(
+    minutes: Annotated[float | None, Option(min=0, help="Time budget of the training.")] = None,
+    epochs: Annotated[float | None, Option(
         help="Passes over the shortest style; 90 in the paper.")] = None,
-    patience: Annotated[int | None, typer.Option(
+    patience: Annotated[int | None, Option(
         help="Stop after so many test errors (one every 1000 steps) without a better one, and keep "
              "the best weights.")] = None,
-    small: Annotated[bool, typer.Option(
+    small: Annotated[bool, Option(
         "--small", help="Small sizes and fast settings; 30 s without a budget.")] = False,
-    refit: Annotated[int, typer.Option(
+    refit: Annotated[int, Option(
         help="Steps per style that fit FiLM's style vectors to frames after the training; 0: means "
              "over clips, as in the paper.")] = training.Config.refit,
     seed: Seed = 0,
     device: Device = "cpu",
-    processes: Annotated[int, typer.Option(
+    processes: Annotated[int, Option(
         help="Processes that share each minibatch (the extra `scale`), with --device cuda one GPU "
              "each; on several machines use `torchrun … -m toolkit train …` instead.")] = 1,
-    precision: Annotated[str, typer.Option(
+    precision: Annotated[str, Option(
         help="32, or bf16: faster on a GPU or with many style clips.")] = "32",
-    slim: Annotated[bool, typer.Option(
+    slim: Annotated[bool, Option(
         "--slim", help="Write a small file, to which no style can be added.")] = False,
     resume: Resume = False,
 ) -> None:

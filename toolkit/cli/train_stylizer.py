@@ -4,7 +4,7 @@ import dataclasses
 from pathlib import Path
 from typing import Annotated
 
-import typer
+from typer import Option
 
 from toolkit import datasets
 from toolkit.cli.motion_files import dataset
@@ -16,28 +16,26 @@ from toolkit.stylization.training import Config, fit
 
 
 def train_stylizer(
-    data: Annotated[str, typer.Option(
+    data: Annotated[str, Option(
         help=f"Dataset: {', '.join(datasets.DATASETS)}; or a folder of your own clips.")],
-    out: Annotated[Path, typer.Option(
-        help="File to write (safetensors).")],
+    out: Annotated[Path, Option(help="File to write (safetensors).")],
     root: Root = None,
     styles: Selection = None,
     gaits: Selection = None,
     clip_seconds: ClipSeconds = None,
-    losses: Annotated[str, typer.Option(
+    losses: Annotated[str, Option(
         help="Comma-separated, also with weights, such as ds=3; Table 1 leaves out ds, then "
              "sty.")] = ",".join(LOSSES),
-    iterations: Annotated[int | None, typer.Option(
+    iterations: Annotated[int | None, Option(
         help="By default the paper's 100,000; 2,000 with --small.")] = None,
-    minutes: Annotated[float | None, typer.Option(
+    minutes: Annotated[float | None, Option(
         min=0, help="Train for this time; the rates decay over it.")] = None,
-    small: Annotated[bool, typer.Option(
+    small: Annotated[bool, Option(
         "--small", help="Small networks and fast settings, for a processor.")] = False,
-    mirror: Annotated[bool, typer.Option(help="Add mirror images, as the paper does.")] = True,
+    mirror: Annotated[bool, Option(help="Add mirror images, as the paper does.")] = True,
     seed: Seed = 0,
     device: Device = "cpu",
-    slim: Annotated[bool, typer.Option(
-        "--slim", help="Write a small file: 16 bits.")] = False,
+    slim: Annotated[bool, Option("--slim", help="Write a small file: 16 bits.")] = False,
     resume: Resume = False,
 ) -> None:
     """Train the motion stylizer of Park et al. 2021; print its losses over time.

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Annotated, Any, TextIO
 
 import typer
+from typer import Option
 from typer.core import TyperCommand, TyperGroup
 
 
@@ -29,37 +30,36 @@ def _roles(text: str) -> dict[str, str]:
 
 
 LONGEST = 1000  # letters of an error, which may quote a file or an argument
-Published = Annotated[Path | None, typer.Option(
+Published = Annotated[Path | None, Option(
     "--published", help="Folder of the published parameters, or lpn-film-100style once fetched.")]
-TrainedRun = Annotated[Path | None, typer.Option(
+TrainedRun = Annotated[Path | None, Option(
     "--model", help="File of a trained model, or procedural (the default), or recorded; "
                       "MODULE:FILE for a model of your own.")]
-Root = Annotated[Path | None, typer.Option(help="Folder that holds the dataset.")]
-Selection = Annotated[Any, typer.Option(
+Root = Annotated[Path | None, Option(help="Folder that holds the dataset.")]
+Selection = Annotated[Any, Option(
     parser=names, metavar="A,B,…", help="Names to use; by default all.")]
-Mirror = Annotated[bool, typer.Option(
+Mirror = Annotated[bool, Option(
     "--mirror", help="Add mirror images (100STYLE: of symmetric styles).")]
-Listed = Annotated[bool, typer.Option(
+Listed = Annotated[bool, Option(
     "--listed", help="Train on the training part of the dataset's list (`data split`) and hold out "
                      "its test part; 100style and bandai.")]
-Seed = Annotated[int, typer.Option(
-    min=0, max=2**31 - 1, help="The same seed gives the same result.")]
-Device = Annotated[str, typer.Option(help="cpu, cuda, …")]
-Resume = Annotated[bool, typer.Option(
+Seed = Annotated[int, Option(min=0, max=2**31 - 1, help="The same seed gives the same result.")]
+Device = Annotated[str, Option(help="cpu, cuda, …")]
+Resume = Annotated[bool, Option(
     "--resume", help="Continue from OUT.checkpoint, which a stopped run leaves.")]
-Unit = Annotated[str, typer.Option(
+Unit = Annotated[str, Option(
     "--unit", metavar="METRES",
     help="Metres of one unit of length in a motion file, or m, cm, mm, inch, dm, CMU; by default "
          "from the body's height.")]
-Up = Annotated[str, typer.Option(
+Up = Annotated[str, Option(
     "--up", help="Axis of a motion file that points up: x, y, z, -x, -y, -z, or auto.")]
-Roles = Annotated[Any, typer.Option(
+Roles = Annotated[Any, Option(
     "--roles", parser=_roles, metavar="ROLE=JOINT,…",
     help="Joints by role, for example left_toe=LToe, in place of those that were found.")]
-Animation = Annotated[str | None, typer.Option(
+Animation = Annotated[str | None, Option(
     "--animation", metavar="NAME|NUMBER",
     help="Animation of a glTF or FBX file that holds several; by default the first, number 0.")]
-ClipSeconds = Annotated[float | None, typer.Option(help="Length of each procedural clip.")]
+ClipSeconds = Annotated[float | None, Option(help="Length of each procedural clip.")]
 
 
 class Verb(TyperCommand):

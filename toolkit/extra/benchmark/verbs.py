@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
+from typer import Argument, Option
 
 from toolkit.cli import motion_files
 from toolkit.cli.evaluate import check_table, method_names, write_table
@@ -17,20 +18,20 @@ from toolkit.training.run import model_file
 
 app = typer.Typer(no_args_is_help=True, add_completion=False,
                   help="Score steered walks in a style by the benchmark StyleWalk.")
-Judging = Annotated[Path | None, typer.Option(
+Judging = Annotated[Path | None, Option(
     "--judges", help="File of the judges; by default the one in examples/models of a checkout.")]
-Out = Annotated[Path | None, typer.Option(help="JSON file for the scores.")]
+Out = Annotated[Path | None, Option(help="JSON file for the scores.")]
 
 
 @app.command()
 def run(
-    model: Annotated[Path | None, typer.Argument(
+    model: Annotated[Path | None, Argument(
         help="File of a model, or procedural (the default), or recorded; MODULE:FILE for a model "
              "of your own.")] = None,
     parameters: Published = None,
     judges: Judging = None,
     out: Out = None,
-    clips: Annotated[Path | None, typer.Option(help="Folder for the walks, as BVH.")] = None,
+    clips: Annotated[Path | None, Option(help="Folder for the walks, as BVH.")] = None,
 ) -> None:
     """Let a model walk all tracks in all styles that it knows, and score the walks."""
     _check(out)
@@ -48,8 +49,7 @@ def run(
 
 @app.command()
 def score(
-    folder: Annotated[Path, typer.Argument(
-        help="Folder of motion files named track_style_seed.")],
+    folder: Annotated[Path, Argument(help="Folder of motion files named track_style_seed.")],
     judges: Judging = None,
     out: Out = None,
     unit: Unit = "auto",
@@ -69,8 +69,8 @@ def score(
 
 @app.command()
 def table(
-    files: Annotated[list[Path], typer.Argument(help="Files that run and score wrote.")],
-    out: Annotated[Path, typer.Option(help="File for the table: .tex or .csv.")],
+    files: Annotated[list[Path], Argument(help="Files that run and score wrote.")],
+    out: Annotated[Path, Option(help="File for the table: .tex or .csv.")],
 ) -> None:
     """Write one table of several methods, which the stems of the files name."""
     check_table(out)

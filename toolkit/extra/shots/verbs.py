@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 from typing import Annotated
 
-import typer
+from typer import Argument, Option
 
 from toolkit import runtime
 from toolkit.cli.export import Figure, Half, Title, wrote
@@ -17,13 +17,13 @@ from toolkit.training import published
 
 
 def shot(
-    file: Annotated[Path, typer.Argument(help="JSON file of one or more shots.")],
-    out: Annotated[Path, typer.Option(
+    file: Annotated[Path, Argument(help="JSON file of one or more shots.")],
+    out: Annotated[Path, Option(
         help=f"File to write: {', '.join(saving.suffixes())}; of several shots one file each.")],
     model: TrainedRun = None,
     parameters: Published = None,
-    seed: Annotated[int | None, typer.Option(help="In place of the seed of the shots.")] = None,
-    bodies: Annotated[float | None, typer.Option(
+    seed: Annotated[int | None, Option(help="In place of the seed of the shots.")] = None,
+    bodies: Annotated[float | None, Option(
         min=0.0, help="Metres between the bodies of those who keep apart: each gets the room that "
         "its styles reach.")] = None,
 ) -> None:
@@ -56,9 +56,8 @@ def shot(
 
 
 def director(
-    out: Annotated[Path, typer.Option(help="Page to write: .html.")],
-    file: Annotated[Path | None, typer.Option(
-        "--shots", help="JSON file of the first shots.")] = None,
+    out: Annotated[Path, Option(help="Page to write: .html.")],
+    file: Annotated[Path | None, Option("--shots", help="JSON file of the first shots.")] = None,
     model: TrainedRun = None,
     parameters: Published = None,
     title: Title = "Plan a shot",

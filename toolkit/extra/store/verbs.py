@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Annotated
 
-import typer
+from typer import Option
 
 from toolkit import datasets
 from toolkit.cli.motion_files import dataset, show
@@ -12,17 +12,17 @@ from toolkit.extra import store
 
 
 def preprocess(
-    data: Annotated[str, typer.Option(help="Dataset of files: 100style, bandai; or a folder of "
-                                      "your own.")],
-    out: Annotated[Path, typer.Option(help="Folder of the store; the same command continues a "
-                                      "stopped run.")],
+    data: Annotated[str, Option(
+        help="Dataset of files: 100style, bandai; or a folder of your own.")],
+    out: Annotated[Path, Option(
+        help="Folder of the store; the same command continues a stopped run.")],
     root: Root = None,
     styles: Selection = None,
     gaits: Selection = None,
-    source: Annotated[str, typer.Option(help="Phase source.")] = "hybrid",
+    source: Annotated[str, Option(help="Phase source.")] = "hybrid",
     mirror: Mirror = False,
     listed: Listed = False,
-    workers: Annotated[int | None, typer.Option(
+    workers: Annotated[int | None, Option(
         min=1, help="Processes; by default one per processor.")] = None,
 ) -> None:
     """Compute features of all files into a store, which `train --data OUT` reads from the disk."""
