@@ -13,11 +13,11 @@ Departure from the published run: nothing is for validation, and rows near the t
 """
 
 import contextlib
-import dataclasses
 import math
 import warnings
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from itertools import groupby
 
 import numpy as np
@@ -53,7 +53,7 @@ def split(data: Features, share: float, seed: int,
 
     learnt = {s: apart(data, s, masks[s]) for s in styles}
     shown = {s: style_clips(data, s, ~learnt[s]) for s in styles}
-    training = dataclasses.replace(select(data, learnt), clips=shown, statistics=statistics)
+    training = replace(select(data, learnt), clips=shown, statistics=statistics)
     return training, select(data, masks)
 
 
@@ -64,7 +64,7 @@ def select(data: Features, masks: dict[str, Tensor]) -> Features:
         rows = getattr(data, kind)
         chosen[kind] = {style: _picked(rows[style], mask) for style, mask in masks.items()}
     clips = {style: data.clips[style] for style in masks}
-    return dataclasses.replace(data, clips=clips, split=None, statistics=None, spans=None, **chosen)
+    return replace(data, clips=clips, split=None, statistics=None, spans=None, **chosen)
 
 
 def _picked(rows: Tensor | Rows, mask: Tensor) -> Tensor | Rows:
@@ -107,7 +107,7 @@ def listed(clips: Iterable[Clip], parts: datasets.blocks.Split, **options) -> Fe
                          f"{parts.dataset}")
     data = build([piece for _, piece, _ in found], **{"short": "skip"} | options)
     masks = {style: aside[takes] for style, takes in data.takes.items()}
-    return dataclasses.replace(data, split=Split(None, None, masks))
+    return replace(data, split=Split(None, None, masks))
 
 
 def pieces(clips: Iterable[Clip], parts: datasets.blocks.Split) -> Iterator[tuple[int, Clip, bool]]:

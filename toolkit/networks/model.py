@@ -67,8 +67,7 @@ class Model(Predictor):
             "name": self.name, "parameters": sum(p.numel() for p in self.parameters()),
             "hidden": self.sizes.hidden, "inputs": self.layout.n_inputs,
             "phases": self.layout.n_phases, "outputs": self.layout.n_outputs,
-            "style_size": self.style_size, "generator": self.generator is not None,
-        })  # fmt: skip
+            "style_size": self.style_size, "generator": self.generator is not None})
 
     def forward(self, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:  # noqa: D102
         gates = self.gating(phases, x)

@@ -4,13 +4,12 @@
 """
 
 import contextlib
-import dataclasses
 import hashlib
 import json
 import os
 import sys
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass, replace
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -43,7 +42,7 @@ class Sizes:
     dropout: float = 0.3
 
     def __post_init__(self):
-        for name, value in dataclasses.asdict(self).items():
+        for name, value in asdict(self).items():
             if name != "dropout" and (type(value) is not int or value < 1):
                 raise ValueError(f"sizes: {name} must be a whole number from 1, got {value!r}")
         if not 0 <= self.dropout < 1:
@@ -97,7 +96,7 @@ class Predictor(nn.Module):
         if type(n_styles) is not int or not 1 <= n_styles <= STYLES:
             raise ValueError(f"a model has 1 to {STYLES} styles, got {n_styles!r:.60}")
         own = layout.phase if self.phase is None else self.phase
-        self.layout = layout = dataclasses.replace(layout, phase=own)
+        self.layout = layout = replace(layout, phase=own)
         self.n_styles, self.sizes = n_styles, sizes
         widths = layout.n_inputs, layout.n_phases, layout.n_outputs, layout.n_clip
         for kind, width in zip(KINDS, widths, strict=True):
@@ -207,7 +206,7 @@ class Predictor(nn.Module):
         ``generator=False`` leaves out what makes style vectors, if it is one of the seven models.
         """
         tensors = {f"model.{name}": value for name, value in self.state_dict().items()}
-        layout, sizes = self.layout.to_json(), dataclasses.asdict(self.sizes)
+        layout, sizes = self.layout.to_json(), asdict(self.sizes)
         part = registry.find(f"model.{self.name}")
         factors = {name: getattr(self, name) for name in FACTORS
                    if getattr(self, name) != getattr(type(self), name)}

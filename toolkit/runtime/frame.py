@@ -5,9 +5,9 @@ The method is that of Mason et al. 2022, section 4.4, and Zhang et al. 2018.
 branched. All tensors have a leading axis of B characters, so that one call moves a crowd.
 """
 
-import dataclasses
 import functools
 from collections.abc import Sequence
+from dataclasses import replace
 
 import torch
 from torch import Tensor
@@ -93,7 +93,7 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
     )
     toes = predicted_toes(layout, state)
     toes[..., 1] = getattr(model, "ground", GROUND)
-    state = dataclasses.replace(state, toes=toes)
+    state = replace(state, toes=toes)
     if frames := getattr(model, "memory", 0):  # it has stood there before
         x = _input_frame(layout, state, state.future)
         return Remembering(**vars(state), memory=x[:, None].expand(-1, frames, -1))
@@ -146,7 +146,7 @@ def predicted(model, state: CharacterState, command: Command) -> CharacterState:
     # Prediction of the network, from the frames that it remembers and this one.
     if isinstance(steered, Remembering):
         x = torch.cat((steered.memory, x[:, None]), 1)
-        steered = dataclasses.replace(steered, memory=x[:, 1:])
+        steered = replace(steered, memory=x[:, 1:])
     out = layout.unpack_output(model.predict(x, state.phase, state.style))
 
     # Root: a character that is to stand stops walking first, and stops turning once it looks into
@@ -202,8 +202,8 @@ def predicted(model, state: CharacterState, command: Command) -> CharacterState:
     still = (stand * contacts.amin(-1, keepdim=True)).maximum(held)
     phase = torch.lerp(phase, state.phase, still)
     history = torch.cat((state.history[:, 1:], new_root[:, None]), 1)
-    return dataclasses.replace(steered, history=history, future=ahead, joints=joints, phase=phase,
-                               contacts=contacts)
+    return replace(steered, history=history, future=ahead, joints=joints, phase=phase,
+                   contacts=contacts)
 
 
 def leg_joints(layout: Layout) -> list[int]:
@@ -241,8 +241,8 @@ def planted(model, state: CharacterState, new: CharacterState) -> CharacterState
     parts = split_joints(new.joints)
     position = parts["position"].clone()
     position[:, legs] = R.rotate(back, torch.stack(bent, 2).flatten(1, 2) - floor)
-    return dataclasses.replace(new, joints=pack_joints(**parts | {"position": position}),
-                               toes=toes, drift=drift, drop=drop, swivel=swivel)
+    return replace(new, joints=pack_joints(**parts | {"position": position}), toes=toes,
+                   drift=drift, drop=drop, swivel=swivel)
 
 
 @functools.singledispatch

@@ -1,8 +1,7 @@
 """The state of characters under control: everything that the next frame depends on."""
 
-import dataclasses
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import torch
 from torch import Tensor
@@ -61,7 +60,7 @@ class CharacterState:
 
     def with_style(self, style: Tensor) -> "CharacterState":
         """The same moment with another style vector ``[S]`` or ``[B, S]``."""
-        return dataclasses.replace(self, style=vectors_of(style, self.style, len(self.phase)))
+        return replace(self, style=vectors_of(style, self.style, len(self.phase)))
 
 
 @dataclass(frozen=True, eq=False)

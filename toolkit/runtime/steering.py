@@ -5,10 +5,9 @@ The method is that of Mason et al. 2022, section 4.4, and Zhang et al. 2018.
 Shapes: B characters; world (x, z), metres and seconds.
 """
 
-import dataclasses
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import torch
 from torch import Tensor
@@ -140,7 +139,7 @@ def steer(state: CharacterState, command: Command,
     # Directions turn towards the facing.
     directions = turn(state.future[:, 1:, 2:], facing[:, None].expand_as(steps), w_direction)
     future = torch.cat((state.root[:, None], torch.cat((positions, directions), -1)), 1)
-    return dataclasses.replace(
+    return replace(
         state, velocity=velocity, facing=facing, future=future, asked=asked, aside=aside, rest=rest,
         drive=speed_controller(state, velocity))
 

@@ -5,9 +5,8 @@ in the root frame, whose origin is the root on the ground. The velocity of the r
 it and never changed. End Sites have no features.
 """
 
-import dataclasses
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import torch
 from torch import Tensor, nn
@@ -94,7 +93,7 @@ class Motions:
     def select(self, rows: Tensor) -> "Motions":
         """Some of the windows, by a mask or by indices, with the same domains and contents."""
         kept = {k: v[rows] for k, v in vars(self).items() if isinstance(v, Tensor)}
-        return dataclasses.replace(self, **kept)
+        return replace(self, **kept)
 
 
 def build(clips: Sequence[Clip], mirror: bool = False) -> Motions:

@@ -1,8 +1,7 @@
 """The four networks of Park et al. 2021 (section 6.1, Table 3): G, E, F and D."""
 
-import dataclasses
 import os
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 import torch
@@ -173,7 +172,7 @@ class Stylizer(nn.Module):
 
     def __repr__(self) -> str:
         about = {"domains": self.domains, "joints": len(self.skeleton)}
-        return summary(self, about | dataclasses.asdict(self.sizes))
+        return summary(self, about | asdict(self.sizes))
 
     @property
     def skeleton(self) -> Skeleton:
@@ -226,7 +225,7 @@ class Stylizer(nn.Module):
         """Write the whole model to one safetensors file; ``slim`` weights have 16 bits."""
         tensors = {f"stylizer.{k}": v.half() if slim and not k.startswith("statistics.") else v
                    for k, v in self.state_dict().items()}
-        description = {"domains": self.domains, "sizes": dataclasses.asdict(self.sizes),
+        description = {"domains": self.domains, "sizes": asdict(self.sizes),
                        "skeleton": self.skeleton.to_dict()}
         model_files.write(path, tensors, {"stylizer": description})
 

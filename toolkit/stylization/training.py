@@ -5,13 +5,12 @@ resumed ends with the same weights as one that was not, bit for bit. (With a bud
 rates follow the clock; the batches are still the same.)
 """
 
-import dataclasses
 import json
 import math
 import os
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
 import torch
@@ -95,7 +94,7 @@ class Config:
 
     def fixed(self) -> dict:
         """What must not change when a run is resumed, as JSON holds it."""
-        values = dataclasses.asdict(self)
+        values = asdict(self)
         del values["save_every"], values["device"]
         return json.loads(json.dumps(values))
 

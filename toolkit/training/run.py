@@ -1,11 +1,10 @@
 """A training run: its config, and its result as one file."""
 
-import dataclasses
 import json
 import math
 import os
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from numbers import Integral
 from pathlib import Path
 
@@ -136,7 +135,7 @@ class Config:
         free = {"save_every", "device", "processes", "refit"}
         if self.patience is None:
             free.add("evaluate_every")
-        settings = dataclasses.asdict(self).items()
+        settings = asdict(self).items()
         return json.loads(json.dumps({k: v for k, v in settings if k not in free}))
 
 
@@ -184,7 +183,7 @@ class Run:
     def parts(self, *, generator: bool = True) -> tuple[dict[str, torch.Tensor], dict]:
         """Its tensors and description, as `toolkit.io.model_files` stores them."""
         tensors, description = self.model.parts(generator=generator)
-        config = None if self.config is None else dataclasses.asdict(self.config)
+        config = None if self.config is None else asdict(self.config)
         history = [{name: value for name, value in row.items() if name not in TIMES}
                    for row in self.history]
         numbers = {"config": config, "history": history, "held_out": self.held_out,

@@ -1,9 +1,8 @@
 """The parts of a shot, points and keys over time, and what may stand in them."""
 
-import dataclasses
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import MISSING, dataclass, fields
 from itertools import pairwise
 
 from toolkit.extra.shots.following import EASINGS, LONGEST
@@ -25,7 +24,7 @@ def number(value, what: str, low: float, high: float) -> float:
 
 def within(entry, **limits: tuple[float, float]) -> None:
     """Keep fields of a dataclass as numbers in ranges; None stays where it is the default."""
-    for field in dataclasses.fields(entry):
+    for field in fields(entry):
         value = getattr(entry, field.name)
         if field.name in limits and (value is not None or field.default is not None):
             made = number(value, field.name, *limits[field.name])
@@ -189,7 +188,7 @@ def entries(values, kind: type, what: str) -> tuple:
 
 def build(kind: type, value):
     """An object of a kind from a dictionary of its fields, or from a list of the first ones."""
-    known = [field.name for field in dataclasses.fields(kind)]
+    known = [field.name for field in fields(kind)]
     if isinstance(value, str) or not isinstance(value, Mapping | Sequence):
         raise ValueError(f"expected the fields of a {kind.__name__}, got {shown(value)}")
     if not isinstance(value, Mapping):
@@ -198,8 +197,8 @@ def build(kind: type, value):
         value = dict(zip(known, value, strict=False))
     if unknown := [key for key in value if key not in known]:
         raise ValueError(f"unknown field {shown(unknown[0])}; known: {', '.join(sorted(known))}")
-    for field in dataclasses.fields(kind):
-        if field.default is dataclasses.MISSING and field.name not in value:
+    for field in fields(kind):
+        if field.default is MISSING and field.name not in value:
             raise ValueError(f"the field {field.name} is missing")
     return kind(**value)
 

@@ -1,6 +1,5 @@
 """A scene: the shots of several characters, who can keep apart, in one JSON file."""
 
-import dataclasses
 import functools
 import heapq
 import itertools
@@ -8,7 +7,7 @@ import math
 import os
 from bisect import bisect_left
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import torch
@@ -106,9 +105,9 @@ class Scene:
         tried = self._tried(model, bank)
         radii = [max(reach for j, _, reach, _ in tried if j == k) + bodies / 2
                  for k in range(len(self.shots))]
-        shots = [dataclasses.replace(shot, radius=round(r, 2))
+        shots = [replace(shot, radius=round(r, 2))
                  for shot, r in zip(self.shots, radii, strict=True)]
-        return dataclasses.replace(self, shots=shots)
+        return replace(self, shots=shots)
 
     def _tried(self, model, bank: StyleBank) -> list[tuple[int, StyleKey, float, float]]:
         """For each style key: the character, the key, the reach of its joints in a short walk,
@@ -271,7 +270,7 @@ class Scene:
         history, future = state.history.clone(), state.future.clone()
         history[:, -1, :2] += shift
         future[..., :2] += shift[:, None]
-        return dataclasses.replace(state, history=history, future=future)
+        return replace(state, history=history, future=future)
 
     def _kept(self, state: CharacterState, plans, clocks: list[int],
               wanted: np.ndarray) -> np.ndarray:

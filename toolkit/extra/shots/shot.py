@@ -1,12 +1,11 @@
 """A shot: what one character does, as data that a small JSON file holds."""
 
-import dataclasses
 import functools
 import json
 import math
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, is_dataclass
 from itertools import pairwise
 
 import torch
@@ -247,15 +246,15 @@ def save(shots: Iterable[Shot], path: str | os.PathLike) -> None:
 
 def data(shots: Iterable[Shot]) -> dict:
     """Shots, or a `Scene`, as `parse` reads them and a file holds them."""
-    scene = dataclasses.is_dataclass(shots)
+    scene = is_dataclass(shots)
     made = _data(shots) if scene else {"shots": [_data(shot) for shot in shots]}
     return {"version": VERSION, **made}
 
 
 def _data(value):
     """Dataclasses as dictionaries without the fields that have their default."""
-    if dataclasses.is_dataclass(value):
-        return {f.name: _data(v) for f in dataclasses.fields(value)
+    if is_dataclass(value):
+        return {f.name: _data(v) for f in fields(value)
                 if (v := getattr(value, f.name)) != f.default}
     return [_data(v) for v in value] if isinstance(value, tuple) else value
 

@@ -1,8 +1,8 @@
 """The states of a character that walks a shot."""
 
-import dataclasses
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 import torch
 from torch import Tensor
@@ -31,11 +31,11 @@ def first(model, shots: Sequence, styles,
     if not later.any() or not state.phase.shape[1]:
         return state
     if state.phase.shape[1] == 1:  # the one angle of a global phase
-        return dataclasses.replace(state, phase=(state.phase + later.to(state.phase)) % math.tau)
+        return replace(state, phase=(state.phase + later.to(state.phase)) % math.tau)
     # local phases are vectors: all turn by the same angle
     vectors = torch.view_as_complex(state.phase.unflatten(1, (-1, 2)))
     turned = vectors * torch.exp(1j * later).to(vectors)
-    return dataclasses.replace(state, phase=torch.view_as_real(turned).flatten(1))
+    return replace(state, phase=torch.view_as_real(turned).flatten(1))
 
 
 def rolled(model, state: CharacterState, frames: int,

@@ -21,13 +21,8 @@ from toolkit.motion.skeleton import FEET
 from toolkit.view.render.skin import SLOTS, Skin
 
 LEG = 0.87  # hip to ankle in metres of the body that the lengths below are written for
-COLORS = {
-    "left": "#6a9fcb",
-    "right": "#e39a6c",
-    "middle": "#ebe6dd",
-    "joint": "#46505c",
-    "face": "#2b323b",
-}
+COLORS = {"left": "#6a9fcb", "right": "#e39a6c", "middle": "#ebe6dd", "joint": "#46505c",
+          "face": "#2b323b"}
 CONTACT = "#35c46a"
 # Styles and curves, in order.
 PALETTE = ("#7b68c4", "#2fa596", "#d6598b", "#c9a227", "#5b8def", "#8a8f98")
@@ -134,10 +129,8 @@ def build(clip: Clip, vertices: int = VERTICES) -> Mannequin:
     """
     reach = max(float(clip.skeleton.offsets.abs().max()), float(clip.root_positions.abs().max()))
     if reach > LARGEST:
-        raise ValueError(
-            f"{clip.name}: its positions reach {reach:.3g} m, and at most {LARGEST:g} m can be "
-            "drawn; the unit of length may be wrong (--unit)"
-        )
+        raise ValueError(f"{clip.name}: its positions reach {reach:.3g} m, and at most "
+                         f"{LARGEST:g} m can be drawn; the unit of length may be wrong (--unit)")
     parts = _humanoid(clip) if clip.skeleton.has(*LIMBS) else []
     parts += _bones(clip, {part.joint for part in parts})
     if not parts:
