@@ -1,9 +1,7 @@
 """The procedural dataset: stylised locomotion from footsteps, with known contacts and phases.
 
-It uses no recorded motion. It plans a path, then the footsteps along it. Each foot stays planted
-during its stance and swings in an arc to its next footstep. Inverse kinematics gives the legs, from
-the feet to a pelvis that stays within their reach. Trunk and arms follow the phase of the steps.
-`toolkit.datasets.procedural_styles` has the parameters of a style.
+It uses no recorded motion: a path is planned, then the footsteps along it, then the body over them
+(docs/procedural.md). `toolkit.datasets.procedural_styles` has the parameters of a style.
 
 Models were trained on these clips, and the same seed gives the same bytes. So the order of random
 numbers and of operations here and in the modules ``procedural_…`` must stay as it is.

@@ -1,6 +1,4 @@
-"""User commands, and how they are blended into the predicted trajectory.
-
-The method is that of Mason et al. 2022, section 4.4, and Zhang et al. 2018.
+"""User commands, and how they are blended into the predicted trajectory (see `runtime.frame`).
 
 Shapes: B characters; world (x, z), metres and seconds.
 """

@@ -1,8 +1,8 @@
 """Training of the stylizer (Park et al. 2021, section 6 and appendix A.2).
 
-What iteration n does is a pure function of the seed and n, so that a run that was stopped and
-resumed ends with the same weights as one that was not, bit for bit. (With a budget of time the
-rates follow the clock; the batches are still the same.)
+A run that was stopped and resumed ends with the same weights as one that was not, for the reason
+that `toolkit.training.loop` gives. (With a budget of time the rates follow the clock; the batches
+are still the same.)
 """
 
 import json
