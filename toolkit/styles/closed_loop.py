@@ -23,7 +23,7 @@ from toolkit.styles.comparison import Walk, turned
 
 #: A round has so many steps of gradient descent. In a step, characters start from states of walks
 #: and go on for so many frames; the first of them still show the vector before, and do not count.
-STEPS, STARTS, FRAMES, SKIPPED = 5, 8, 90, 18
+STEPS, STARTS, FRAMES, SKIPPED = 5, 16, 90, 18
 RATE, MAX_GRADIENT = 2e-2, 1.0  # Adam's first rate, and the norm to which gradients are clipped
 PRIOR = 0.05  # weight of the mean squared z-score of the vector among the bank's
 QUANTILES = 64  # of a distribution

@@ -218,8 +218,7 @@ def periodicity(clip: Clip) -> tuple[float, int]:
     the second without removing the means. It is the largest value over lags of `CYCLE`, and the
     median over windows of `WINDOW`, because the tempo of a long take changes.
     """
-    toes = root_frames(clip).to_local(contacts.toes_of(clip))[..., 2]
-    apart = (toes[:, 0] - toes[:, 1]).double()
+    apart = toes_apart(clip)
     window = min(round(WINDOW * clip.fps), len(apart))
     windows = apart.unfold(0, window, max(1, window // 2))
     shortest, longest = (round(seconds * clip.fps) for seconds in CYCLE)
@@ -234,6 +233,23 @@ def periodicity(clip: Clip) -> tuple[float, int]:
     # of nearly equal peaks the first one counts: the second one is two cycles
     first = (same > same.amax(0) - 0.05).int().argmax(0)
     return float(regular.median()), lags[int(first.median())]
+
+
+def toes_apart(clip: Clip) -> Tensor:
+    """How far ``[F]`` the right toe is ahead of the left one, along the facing."""
+    toes = root_frames(clip).to_local(contacts.toes_of(clip))[..., 2].double()
+    return toes[:, 0] - toes[:, 1]
+
+
+def steps_per_second(walk: Clip, clip: Clip) -> float:
+    """How often another foot is ahead, by a third of the clip's deviation: the median of strides,
+    since a limp has a long step and a short one, and a path may have a pause.
+    """
+    apart = toes_apart(walk) - toes_apart(walk).mean()
+    far = torch.nonzero(apart.abs() > toes_apart(clip).std() / 3)[:, 0]
+    passes = far[1:][apart[far[1:]] * apart[far[:-1]] < 0]
+    strides = (passes[2:] - passes[:-2]).double()
+    return 2 * walk.fps / float(strides.median()) if len(strides) else 0.0
 
 
 def correlation(a: Tensor, b: Tensor) -> Tensor:
@@ -298,7 +314,7 @@ def measures(walk: Clip, clip: Clip) -> dict[str, float]:
     return {
         "speed": pace(walk),
         "direction": math.degrees(math.atan2(float(way[0]), float(way[2]))),
-        "steps": 2 * walk.fps / max(1, periodicity(walk)[1]),
+        "steps": steps_per_second(walk, clip),
         "slower foot": 100 * float(toes.mean()),
         "hips": 100 * float(walk.global_positions[:, walk.skeleton.role("hips"), 1].mean()),
         "knees": math.degrees(bend(walk).mean()),
