@@ -413,6 +413,17 @@ def test_a_walk_repeats_itself_where_its_tempo_changes(zombie):
     assert not tk.styles.not_a_walk(slow)
 
 
+def test_steps_are_those_of_the_middle_stride(zombie):
+    steps = comparison.steps_per_second(zombie, zombie)
+    assert steps == pytest.approx(120 / comparison.periodicity(zombie)[1], rel=0.06)
+    first, rest = torch.arange(len(zombie)).split(150)[:2]
+    for frames, wanted in ((torch.cat((first, first[-1:].expand(90), rest)), steps),  # it pauses
+                           (first[-1:].expand(300), 0.0)):
+        walk = zombie.replace(rotations=zombie.rotations[frames],
+                              root_positions=zombie.root_positions[frames])
+        assert comparison.steps_per_second(walk, zombie) == pytest.approx(wanted, rel=0.06)
+
+
 @pytest.mark.parametrize(("change", "why"), [
     (lambda clip: clip.cut(0, 90), "lasts 1.5 s"),
     (lambda clip: clip.replace(root_positions=clip.root_positions * torch.tensor([0., 1, 0])),

@@ -249,6 +249,8 @@ def steps_per_second(walk: Clip, clip: Clip) -> float:
     far = torch.nonzero(apart.abs() > toes_apart(clip).std() / 3)[:, 0]
     passes = far[1:][apart[far[1:]] * apart[far[:-1]] < 0]
     strides = (passes[2:] - passes[:-2]).double()
+    if walk is clip and not len(strides):  # a short one
+        return 2 * clip.fps / max(1, periodicity(clip)[1])
     return 2 * walk.fps / float(strides.median()) if len(strides) else 0.0
 
 
