@@ -421,7 +421,7 @@ def test_steps_are_those_of_the_middle_stride(zombie):
                            (first[-1:].expand(300), 0.0)):
         walk = zombie.replace(rotations=zombie.rotations[frames],
                               root_positions=zombie.root_positions[frames])
-        assert comparison.steps_per_second(walk, zombie) == pytest.approx(wanted, rel=0.06)
+        assert comparison.steps_per_second(walk, zombie) == pytest.approx(wanted, rel=0.1)
 
 
 @pytest.mark.parametrize(("change", "why"), [
