@@ -45,8 +45,9 @@ def two_bone(a: Tensor, b: Tensor, c: Tensor, target: Tensor, pole: Tensor | Non
     """Bend a limb of two bones so that its end meets a target, by the law of cosines.
 
     The bones keep their lengths. Over the last share ``soft`` of the full length, the end follows
-    the target more and more slowly, and never reaches full stretch, where the angle of the knee
-    changes infinitely fast with the distance.
+    the target more and more slowly. It never reaches full stretch, where the angle of the knee
+    changes infinitely fast with the distance. A target too near for the folded limb is moved out to
+    the nearest distance that the limb can reach.
 
     Parameters
     ----------
@@ -100,14 +101,18 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, wa
               seconds: float) -> tuple[Tensor, Tensor]:
     """Lock toes in contact where they landed (foot-contact IK, Mason et al. 2022, section 4.4).
 
-    The paper does not say how its toes get their targets; this rule is ours (docs/runtime.md, step
-    10). A blend of the last position and the prediction, weighted by contact, lets a toe slide in
-    each frame where the weight is below 1. We lock a toe fully, in three dimensions, while its
-    contact is above one half; after that, its offset from the prediction decays. A toe that lands
-    is already slowed down, else it slides until it is locked. Offsets have limits, so that the legs
-    do not cross when a character turns on the spot. Toes land at the heights that the network
-    predicts, in turns up to 5 cm over the ground, and then go there; in walks on the heels they
-    stay up.
+    The paper does not say how its toes get their targets; this rule is ours. A blend of the last
+    position and the prediction, weighted by contact, lets a toe slide in each frame where the
+    weight is below 1. We lock a toe fully, in three dimensions, while its contact is above one
+    half. After that, its offset from the prediction decays like a critically damped spring that
+    starts at rest, so that the toe does not jump. A toe that lands, low and with a contact that
+    grows, while the other one was in contact, is already slowed down by twice these contacts: else
+    it slides until it is locked. The offset of a toe is at most `SLACK`, and its
+    part towards the other toe at most a quarter of their distance or `NEAR`, so that the legs do
+    not cross when a character turns on the spot. Toes land at the heights that the network
+    predicts, in turns up to 5 cm over the ground. While both are in contact, their heights go to
+    the ground. Any locked toe goes there while it is more than `UNEVEN` over it or `SUNK` below,
+    but there are walks on the heels: it may be as high as a heel on the ground has it.
 
     Parameters
     ----------
@@ -157,9 +162,10 @@ def hold_feet(swivel: Tensor, before: Tensor, predicted: Tensor, contacts: Tenso
               seconds: float) -> Tensor:
     """Angles ``[..., 2]`` about the vertical that keep feet which stand as they were.
 
-    This rule is ours as well: a network turns feet with the body, also a foot that bears it, whose
-    heel then sweeps about its locked toe. The network gets back ankles that belong to the angle,
-    but the rotations that it predicted.
+    A network turns feet with the body, also a foot that bears it, whose heel then sweeps about its
+    locked toe. A foot in contact keeps its direction, at most `SWIVEL` off the prediction; in the
+    air, the angle decays with `RETURN`. The network gets back ankles that belong to it, but the
+    rotations that it predicted. This rule is ours as well.
 
     Parameters
     ----------
@@ -188,8 +194,10 @@ def sink(drop: Tensor, hips: Tensor, ankles: Tensor, length: Tensor, contacts: T
 
     This rule is ours, too: without it, the toe of a leg that is too short for its target slides.
     The network predicts hips and toes apart from each other, and a locked toe stays behind its
-    prediction, so that targets are up to 7 % of a leg's length too far. Only the drawn hips sink:
-    where the network got them back, some styles kept them down, and glided.
+    prediction, so that targets are up to 7 % of a leg's length too far. The hips sink by what the
+    leg that needs most lacks (smoothly, over `ROOM` on both sides of its reach), at most by
+    `DEEPEST` and with `FALL`. They come back as a critically damped spring. Only the drawn hips
+    sink: where the network got them back, some styles kept them down, and glided.
 
     Parameters
     ----------
@@ -273,9 +281,10 @@ def uncross(ankles: Tensor, left: Tensor, length: Tensor, contacts: Tensor,
             seconds: float) -> Tensor:
     """Wanted ankles ``[..., 2, 3]``, of which one in the air passes beside the other.
 
-    This rule is ours, too. Where a body turns or goes aside, predicted feet pass through the one
-    that stands. Recorded ankles that pass are `ASIDE` of a leg's length or more apart sideways in
-    95 % of the frames of walks, runs and turns.
+    Where a body turns or goes aside, predicted feet pass through the one that stands. Recorded
+    ankles that pass are `ASIDE` of a leg's length or more apart sideways in 95 % of the frames of
+    walks, runs and turns. Farther ahead than `PASSED`, legs may cross. A foot is pushed out at most
+    with `PUSH`. This rule is ours, too.
 
     Parameters
     ----------

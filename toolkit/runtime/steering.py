@@ -80,10 +80,12 @@ def steer(state: CharacterState, command: Command,
     (`toolkit.features.Layout.ahead`). The fields that change are ``velocity``, ``facing``,
     ``future``, ``drive``, ``asked``, ``aside`` and ``rest``.
 
-    Departure from the published run (docs/runtime.md, steps 1 and 2): the smoothed target changes
-    by at most `FASTEST` and `SPIN`, and the target velocity opposes a false velocity, the lateral
-    part of it while the character walks, all of it near a stop, since a network can walk on by
-    itself. While the command is to stand, the whole future comes to stand still. A character that
+    Departure from the published run: the smoothed target changes by at most `FASTEST` and `SPIN`,
+    and the target velocity opposes a false velocity: the lateral part of it while the character
+    walks, all of it while the command or the speed factor is near 0, since a network can walk on
+    by itself. A velocity is false by its difference from ``asked``, the command at the pace at
+    which a character follows it; in one that is to stop, by its difference from the command. While
+    the command is to stand, the blend grows until the whole future stands still. A character that
     is to walk, but stands or slowly goes elsewhere, follows the target alone: a network that has
     learnt to walk backwards may begin with that.
     """
