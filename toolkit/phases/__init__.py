@@ -59,9 +59,10 @@ def extract_group(clips: Sequence[Clip], source: str | Source = "hybrid") -> lis
     """Local phases of clips of one style and gait, which share principal axes (section 4.1.3).
 
     The ``source`` is a name of `SOURCES` or a function ``(clip, limb) -> Tensor [F]``. It may have
-    ``limbs``, names of limbs, joints or roles in place of `LIMBS`, and the methods ``fitted(clips)
-    -> source``, ``sinusoids(clip) -> (curve [F, K], Sinusoids)`` and ``signal(curve) -> complex
-    Tensor [F]`` or None, see docs/phase_sources.md.
+    ``limbs``: names of any number of limbs, joints or roles, in place of `LIMBS`. It may have three
+    methods: ``fitted(clips)`` returns the source that is used instead; ``sinusoids(clip) -> (curve
+    [F, K], Sinusoids)`` replaces the fit; ``signal(curve) -> complex Tensor [F]`` gives the phase
+    by its angle where it does not return None, so that only amplitude and offset are fitted.
 
     ValueError if the source's name is unknown, or a clip is shorter than one second. A source that
     is constant for all limbs in all clips has no phase, and a warning says so.

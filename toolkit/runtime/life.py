@@ -1,7 +1,9 @@
 """Life (ours): slow changes of the style vector, so that a character does not repeat one cycle.
 
-Without it, the closed loop of the published network falls into one cycle. The feet do not suffer,
-because it is smooth. Networks trained on recordings without pose mix-up need none.
+Without noise, the closed loop of the published network falls into one cycle: what a person does
+from step to step, and from second to second, is lost. A style vector that wanders a little brings
+it back, and the feet do not suffer, because it is smooth. Networks trained on recordings without
+pose mix-up need none.
 """
 
 import math
