@@ -3,12 +3,15 @@
 After the cells of a notebook, its folded solutions run in the same kernel.
 """
 
+import itertools
 import os
 import re
+import socket
 import sys
 
 import nbformat
 import nbval.kernel
+from jupyter_client.connect import LocalPortCache
 from jupyter_client.provisioning import local_provisioner
 
 for name, value in {
@@ -27,6 +30,22 @@ if sys.platform == "linux":
     import forked_kernel
 
     local_provisioner.launch_kernel = forked_kernel.launch
+
+#: Ports of a test process's kernels. The system gives a free port of its own range to others again
+#: before the kernel has it, and then the kernel dies.
+PORTS = itertools.count(20_000 + 1_000 * int(os.environ.get("PYTEST_XDIST_WORKER", "gw0")[2:]))
+
+
+def free_port(_, ip: str) -> int:
+    """The next of `PORTS` where nobody answers."""
+    while True:
+        port = next(PORTS)
+        with socket.socket() as tried:
+            if tried.connect_ex((ip, port)):
+                return port
+
+
+LocalPortCache.find_available_port = free_port
 
 FENCED = r"<summary>Solution</summary>\s*```python\n(.*?)\n```\s*</details>"
 SOLUTION = re.compile(FENCED, re.DOTALL)
