@@ -48,10 +48,10 @@ class Comparison:
     """Result of `compare`; print it for a table.
 
     ``rows`` has a dict for the ``clip``, the ``style``, and each style of the bank that is a floor:
-    ``speed``, m/s; ``direction`` of travel, degrees from the facing; ``steps`` per second;
-    ``slower foot``, mean speed of the slower toe, cm/s; ``hips``, mean height, cm; ``knees``, mean
-    bend, degrees; ``head``, how far it nods or leans from where the clip holds it, degrees;
-    ``posture``, mean distance of hands and spine from where the clip has them on average, cm;
+    ``speed``, m/s; ``direction`` of travel, degrees from the facing; ``steps`` per second, without
+    pauses; ``slower foot``, mean speed of the slower toe, cm/s; ``hips``, mean height, cm;
+    ``knees``, mean bend, degrees; ``head``, how far it nods or leans from where the clip holds it,
+    degrees; ``posture``, mean distance of hands and spine from their mean places in the clip, cm;
     ``range``, deviation of hands and spine from their mean, cm; ``reach``, mean distance of the
     `extremes` of the hands, in each direction, from the clip's, cm. For the clip, head, posture and
     reach are those of its second half from its first.
@@ -242,16 +242,18 @@ def toes_apart(clip: Clip) -> Tensor:
 
 
 def steps_per_second(walk: Clip, clip: Clip) -> float:
-    """How often another foot is ahead, by a third of the clip's deviation: the median of strides,
-    since a limp has a long step and a short one, and a path may have a pause.
+    """Two steps in the time of the middle stride; a step is another foot ahead, by a third of the
+    deviation that the clip's toes have. A limp has a long and a short step, a path may have a
+    pause: so the stride, and the middle one.
     """
     apart = toes_apart(walk) - toes_apart(walk).mean()
     far = torch.nonzero(apart.abs() > toes_apart(clip).std() / 3)[:, 0]
     passes = far[1:][apart[far[1:]] * apart[far[:-1]] < 0]
     strides = (passes[2:] - passes[:-2]).double()
-    if walk is clip and not len(strides):  # a short one
-        return 2 * clip.fps / max(1, periodicity(clip)[1])
-    return 2 * walk.fps / float(strides.median()) if len(strides) else 0.0
+    if len(strides):
+        return 2 * walk.fps / float(strides.median())
+    # a clip may be too short for a stride; a walk that has none makes no steps
+    return 2 * clip.fps / max(1, periodicity(clip)[1]) if walk is clip else 0.0
 
 
 def correlation(a: Tensor, b: Tensor) -> Tensor:
