@@ -339,7 +339,7 @@ def test_rounds_in_closed_loop_bring_the_walk_nearer_to_the_clip(fast, zombie):
     (model, bank), (quick, _) = tk.pretrained(), fast
     prior, found = fine_tuning.prior_of(model, bank), []
     for rounds in (0, 1, 1):
-        loop = closed_loop.ClosedLoop(model, zombie, bank["Neutral"], prior, 1, seed=0)
+        loop = closed_loop.ClosedLoop(model, zombie, bank["Neutral"], prior, 2e-2, 1, seed=0)
         walks = comparison.walks(zombie, quick, bank["Neutral"][None], bank, [])
         assert len(walks) == 2
         for _ in range(rounds):

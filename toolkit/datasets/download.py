@@ -56,6 +56,7 @@ class RemoteFile(io.RawIOBase):
 
     def __init__(self, url: str, known: bool = False):
         self.url, self.known = url, known
+        self._body: urllib3.BaseHTTPResponse | io.BytesIO | None = None  # for `close`, after errors
         if not (known or SECURE.match(url)):
             raise ValueError(f"{url}: is not encrypted; give an https address, or the file's "
                              "checksum (--sha256)")
@@ -63,7 +64,6 @@ class RemoteFile(io.RawIOBase):
         self.size: int | None = None
         self._tag: str | None = None  # the server's name of this version of the file
         self._position = self._failures = 0
-        self._body: urllib3.BaseHTTPResponse | io.BytesIO | None = None
         self._receive(0)
 
     def readable(self) -> bool:

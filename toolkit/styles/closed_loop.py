@@ -24,7 +24,8 @@ from toolkit.styles.comparison import Walk, turned
 #: A round has so many steps of gradient descent. In a step, characters start from states of walks
 #: and go on for so many frames; the first of them still show the vector before, and do not count.
 STEPS, STARTS, FRAMES, SKIPPED = 5, 16, 90, 18
-RATE, MAX_GRADIENT = 2e-2, 1.0  # Adam's first rate, and the norm to which gradients are clipped
+RATES = 2e-2, 5e-3  # Adam's first rates: at the higher one, each round can break a walk
+MAX_GRADIENT = 1.0  # the norm to which gradients are clipped
 PRIOR = 0.05  # weight of the mean squared z-score of the vector among the bank's
 QUANTILES = 64  # of a distribution
 #: What a walk shows: a small difference, in metres and seconds, and the weight in the loss.
@@ -36,11 +37,11 @@ LAGS, TEMPO = range(4, 45, 4), (0.1, 0.3)  # frames; a small difference of corre
 class ClosedLoop:
     """Gradient descent on a style vector ``[D]`` by the walk that it makes beside a clip.
 
-    ``prior`` is the mean and deviation of the bank's vectors; the rate decays over ``rounds``.
+    ``prior`` is the mean and deviation of the bank's vectors; ``rate`` decays over ``rounds``.
     """
 
     def __init__(self, model: Predictor, clip: Clip, vector: Tensor, prior: tuple[Tensor, Tensor],
-                 rounds: int, seed: int):
+                 rate: float, rounds: int, seed: int):
         self.model, self.prior, self.draw = model, prior, splits.generator(seed)
         clip, joints = clip.to(vector.device), list(model.layout.skeleton.feature_joints)
         roots = root_frames(clip)
@@ -48,7 +49,7 @@ class ClosedLoop:
         places = roots.to_local(clip.global_positions[:, joints])[:, None]
         self.wanted = distributions(model.layout, places, way), tempo(model.layout, places)
         self.vector = vector.clone().requires_grad_()
-        self.adam = torch.optim.Adam([self.vector], lr=RATE)
+        self.adam = torch.optim.Adam([self.vector], lr=rate)
         self.decay = torch.optim.lr_scheduler.CosineAnnealingLR(self.adam, rounds * STEPS)
 
     def round(self, walks: list[Walk]) -> Tensor:

@@ -11,7 +11,7 @@ from toolkit.motion import Clip
 from toolkit.networks import FilmGenerator, Predictor
 from toolkit.networks.bank import StyleBank
 from toolkit.styles import comparison
-from toolkit.styles.closed_loop import ClosedLoop
+from toolkit.styles.closed_loop import RATES, ClosedLoop
 from toolkit.styles.comparison import Comparison
 from toolkit.styles.fine_tuning import STEPS, NewStyles, fine_tune, prior_of
 
@@ -61,7 +61,8 @@ def choose(made: NewStyles, clip: Clip, *, rounds: int = ROUNDS, seed: int = 0,
 
     At first this is a vector of the training. The error one step ahead, by which the training went,
     does not say how it walks. So it is trained on by its walk, in up to ``rounds`` rounds of
-    `toolkit.styles.closed_loop`, until its excess is at most `ENOUGH`. The best round counts.
+    `toolkit.styles.closed_loop`, until its excess is at most `ENOUGH`. The best round counts. If it
+    is weak, so many rounds follow from there at a lower rate.
 
     The clip should be a walk (`not_a_walk`). ValueError if several styles were learnt at once.
     """
@@ -80,24 +81,26 @@ def choose(made: NewStyles, clip: Clip, *, rounds: int = ROUNDS, seed: int = 0,
 def _in_closed_loop(made: NewStyles, clip: Clip, bank: StyleBank, compared: Comparison, rounds: int,
                     seed: int, progress: bool) -> tuple[StyleBank, Comparison]:
     """The training of `choose`, from the vector of a bank and its comparison on."""
-    (name,), model, vector = made.names, made.model, bank[made.names[0]]
+    (name,), model = made.names, made.model
     floors = comparison.floors_of(made.bank, made.bank[name], name)
-    prior = prior_of(model, made.bank)
-    loop = ClosedLoop(model, comparison.middle(clip), vector, prior, rounds, seed)
+    prior, middle = prior_of(model, made.bank), comparison.middle(clip)
 
     def walks() -> list[comparison.Walk]:
         return comparison.walks(clip, model, vector[None], made.bank, floors, rounds)
 
-    left = range(rounds if compared.excess > ENOUGH else 0)
-    walked = walks() if left else []
-    for _ in progress_bar(left, desc="closed loop", unit="round", show=progress):
-        vector = loop.round(walked)
-        walked = walks()
-        (found,) = comparison.compared(clip, model, walked, floors)
-        if found.rank() < compared.rank():
-            bank, compared = _with(made, vector), found
-        if compared.excess <= ENOUGH:
-            break
+    for rate, enough in zip(RATES, (ENOUGH, 1.0), strict=True):
+        left = range(rounds if compared.excess > enough else 0)
+        vector = bank[name]
+        loop = ClosedLoop(model, middle, vector, prior, rate, rounds, seed)
+        walked = walks() if left else []
+        for _ in progress_bar(left, desc="closed loop", unit="round", show=progress):
+            vector = loop.round(walked)
+            walked = walks()
+            (found,) = comparison.compared(clip, model, walked, floors)
+            if found.rank() < compared.rank():
+                bank, compared = _with(made, vector), found
+            if compared.excess <= ENOUGH:
+                break
     return bank, compared
 
 
