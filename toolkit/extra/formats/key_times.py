@@ -45,7 +45,7 @@ def sampled(times: Sequence[np.ndarray], usual: float, joints: int,
     rate = frame_rate(times, usual)
     begin, end = min(t[0] for t in times), max(t[-1] for t in times)
     length = (end - begin) * rate
-    if not length < max(MOST, size / 8) / max(joints, 1):
+    if not length * joints < max(MOST, size / 8):
         raise ValueError(f"{length:.0f} frames of {joints} joints are more than {size} bytes "
                          "can hold")
     if length > FRAMES:
