@@ -152,7 +152,7 @@ def walked(net, style, track: str, pace: Tensor) -> list[dict[str, Tensor]]:
 
 
 def unlocked(net, old: CharacterState, new: CharacterState) -> Tensor:
-    """Positions ``[B, 2, 3]`` of toes in contact before foot IK; of others they mean nothing.
+    """Positions ``[B, 2, 3]`` of toes in contact before foot IK; others are undefined.
 
     `toolkit.motion.ik.foot_lock` keeps the velocity of a locked toe's offset from the prediction.
     """

@@ -29,7 +29,7 @@ class Document:
     def add(self, values, **more):
         values = np.ascontiguousarray(values)
         kind = {0: "SCALAR", 1: "SCALAR", 2: "VEC2", 3: "VEC3",
-                4: "VEC4"}[1 if values.ndim == 1 else values.shape[1]]
+                4: "VEC4", 16: "MAT4"}[1 if values.ndim == 1 else values.shape[1]]
         self.json["bufferViews"].append({"buffer": 0, "byteOffset": len(self.data),
                                          "byteLength": values.nbytes})
         self.json["accessors"].append({"bufferView": len(self.json["bufferViews"]) - 1,

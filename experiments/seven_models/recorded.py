@@ -78,19 +78,14 @@ def beginning(model: Model, some: Sequence[Moment], vectors: Tensor) -> Characte
     x = torch.cat([m.own.inputs(torch.tensor([m.at])) for m in some])
     p = torch.cat([m.own.phases[m.at][None] for m in some])
     z = torch.cat([m.own.outputs(torch.tensor([m.at])) for m in some])
-    root = torch.stack([m.world[m.at] for m in some])
     velocity = torch.stack([(m.world[m.at, :2] - m.world[m.at - FPS // 4, :2]) * 4 for m in some])
-    state = CharacterState(
-        history=torch.stack([m.world[m.at + past] for m in some]),
+    state = dataclasses.replace(
+        runtime.start(model, vectors), history=torch.stack([m.world[m.at + past] for m in some]),
         future=torch.stack([m.world[m.at + torch.tensor(layout.ahead)] for m in some]),
-        joints=x[:, layout.inputs["joints"]], phase=model.observe(p, z)[0], style=vectors,
-        velocity=velocity,
-        facing=root[:, 2:], drive=torch.ones(len(some), 1),
-        contacts=torch.stack([m.own.contacts[m.at] for m in some]).to(x),
-        toes=x.new_zeros(len(some), 2, 3),
-        drift=x.new_zeros(len(some), 2, 3), drop=x.new_zeros(len(some), 2),
-        asked=velocity, aside=x.new_zeros(len(some), 1), rest=x.new_zeros(len(some), 1),
-    )
+        joints=x[:, layout.inputs["joints"]], phase=model.observe(p, z)[0],
+        velocity=velocity, asked=velocity, rest=x.new_zeros(len(some), 1),
+        facing=torch.stack([m.world[m.at, 2:] for m in some]),
+        contacts=torch.stack([m.own.contacts[m.at] for m in some]).to(x))
     return dataclasses.replace(state, toes=predicted_toes(layout, state))
 
 

@@ -78,6 +78,8 @@ def test_style_info(small):
     clip = human_clip(1, frames=20, fps=60.0)
     pairs = (("Old", "FW"), ("Old", "ID"), ("Zombie", "FW"))
     assert [may(clip.replace(style=s, gait=g)) for s, g in pairs] == [True, False, False]
+    may = datasets.may_mirror("procedural")
+    assert [may(clip.replace(style=s, gait="FW")) for s in ("Old", "HopLeft")] == [True, False]
 
 
 def test_the_folder_from_the_environment(small, monkeypatch, tmp_path_factory):

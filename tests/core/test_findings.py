@@ -1,5 +1,7 @@
 """The gate finds what is broken, with its joint and time, and is silent on recorded people."""
 
+import math
+
 import damages
 import pytest
 import torch
@@ -9,6 +11,7 @@ import toolkit as tk
 from experiments.defects import alarms, part, takes
 from experiments.tables import Result
 from toolkit.evaluation import defects, findings, table
+from toolkit.motion import rotations as R
 
 
 @pytest.fixture(scope="module")
@@ -40,6 +43,16 @@ def test_a_walk_at_any_rate_has_no_defects(walk, stand):
 def test_each_damage_is_found_at_each_rate(walk, damage, size, kind):
     for fps in (30, 60, 120):
         assert kind in kinds(damage(walk.resample(fps), size))
+
+
+def test_slides_on_a_sloping_floor_are_those_on_a_level_one():
+    walk = tk.datasets.procedural.generate("Neutral", seconds=8.0)
+    tilt, rotations = torch.tensor([math.cos(0.01), -math.sin(0.01), 0, 0]), walk.rotations.clone()
+    rotations[:, 0] = R.multiply(tilt, rotations[:, 0])
+    slope = walk.replace(rotations=rotations, root_positions=R.rotate(tilt, walk.root_positions))
+    level, uphill = (sum(f.end - f.start for f in defects(damages.carried(clip, 0.3)))
+                     for clip in (walk, slope))
+    assert uphill == pytest.approx(level, rel=0.2)
 
 
 def test_a_finding_says_where_and_when(walk):

@@ -11,7 +11,7 @@ import pytest
 import torch
 import unchanged
 from refusal import refusal
-from strategies import human
+from strategies import human, human_clip
 
 import toolkit as tk
 from toolkit import metrics
@@ -261,6 +261,7 @@ def test_feet_of_a_figure_computed_by_hand():
     found = metrics.feet(still.replace(root_positions=root), on)
     assert found["clearance"] == pytest.approx(0.1, abs=1e-5)
     assert found["skate"] == 0.0
+    assert math.isnan(metrics.shake(human_clip(1, frames=10, fps=60.0)))
     assert all(map(math.isnan, metrics.foot_skate(still, torch.zeros(41, 2)).values()))
     assert found["steps"] == pytest.approx(2 * 20 / 41)
     rise = hop.diff() * 20.0

@@ -7,7 +7,7 @@ import rigs
 import torch
 
 import toolkit as tk
-from toolkit.motion import role_words, roles
+from toolkit.motion import role_words, roles, rotations
 
 
 def walk(name: str, seconds: float) -> tk.Clip:
@@ -111,3 +111,6 @@ def test_the_end_of_a_foot_or_its_ankle_stands_in_for_a_toe(toe):
     planted = tk.motion.ik.plant_feet(skeleton, first.rotations, first.root_positions, targets)
     reached = first.replace(rotations=planted).global_positions[:, toes]
     assert (reached - targets).norm(dim=-1).mean() < 0.005
+    turned = tk.motion.ik.swivelled(skeleton, rotations.identity(len(skeleton)),
+                                    torch.tensor([0.3, 0.3]))
+    assert torch.allclose(turned[toes], rotations.yaw(torch.tensor([0.3, 0.3])))

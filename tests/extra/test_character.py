@@ -146,6 +146,28 @@ def test_a_texture_colours_the_vertices(tmp_path):
     np.testing.assert_allclose(gltf_mesh.read(tmp_path / "painted.glb").colors, expected, atol=1)
 
 
+def test_each_skin_has_a_space_of_its_own(tmp_path):
+    """Two equal meshes, the second with another space and one more joint, lie at one place."""
+    nodes = [{"name": "hips", "children": [1], "translation": [0, 1, 0]},
+             {"name": "head", "translation": [0, 0.5, 0]}, {"mesh": 0, "skin": 0},
+             {"mesh": 1, "skin": 1}]
+    doc, points = motion_files.Document(nodes), np.float32([[0, 0, 0], [1, 0, 0], [0, 1, 0]])
+    doc.json |= {"meshes": [], "skins": []}
+    for joints, shift in (([0], 0), ([1, 0], 3)):
+        inverse = np.float32([np.eye(4)] * len(joints))
+        inverse[:, 3, 1] = [-1 - 0.5 * j - shift for j in joints]  # columns first
+        doc.json["skins"].append({"joints": joints, "inverseBindMatrices": doc.add(
+            inverse.reshape(-1, 16))})
+        attributes = {"POSITION": doc.add(points + np.float32([0, shift, 0])),
+                      "JOINTS_0": doc.add(np.zeros((3, 4), "u1")),
+                      "WEIGHTS_0": doc.add(np.float32([[1, 0, 0, 0]] * 3))}
+        doc.json["meshes"].append({"primitives": [{"attributes": attributes}]})
+    (tmp_path / "two.glb").write_bytes(doc.glb())
+    made = gltf_mesh.read(tmp_path / "two.glb")
+    np.testing.assert_allclose(made.points[:3], made.points[3:], atol=1e-6)
+    np.testing.assert_allclose(made.bind[:, 1, 3], [1, 1.5], atol=1e-6)
+
+
 def test_the_controller_gets_it(hero, fast):
     widget = tk.view.Controller(*fast, character=hero)
     mesh = widget.skeleton["mesh"]

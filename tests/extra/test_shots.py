@@ -400,12 +400,14 @@ def test_a_head_turns_to_a_limit_and_not_to_what_is_behind_it():
     assert turned.tolist() == pytest.approx([0.5, 1.156, 1.2, 0.6, 0.068], abs=2e-3)
 
 
-def test_pins_of_one_place_are_reached_from_two(fast):
-    pins_ = [{"at": at, "right_hand": (-0.2, 1.2, 3.0)} for at in (3.0, 5.0)]
+@pytest.mark.parametrize("x", [-0.2, -1.0])
+def test_pins_of_one_place_are_reached_from_two(fast, x):
+    pins_ = [{"at": at, "right_hand": (x, 1.2, 3.0)} for at in (3.0, 5.0)]
     course, _ = Shot([(0, 0), (0, 6)], "Neutral", pins=pins_).plan(fast[1])
     (_, first, _), (_, second, _) = course.arrivals
-    assert first == pytest.approx(3.0 - pins.AHEAD)
-    assert second - first == pytest.approx(pins.LEAST)
+    assert second - first > 0.99 * pins.LEAST
+    if x == -0.2:
+        assert (first, second) == pytest.approx((3.0 - pins.AHEAD, first + pins.LEAST))
 
 
 def test_pins_of_all_kinds_move_a_walk_by_known_distances(walk_clip):

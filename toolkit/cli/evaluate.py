@@ -14,6 +14,7 @@ from toolkit.datasets import folder as own
 from toolkit.evaluation.recognition import Recogniser
 from toolkit.io import save as saving
 from toolkit.io.files import write_whole
+from toolkit.io.load import readers
 from toolkit.motion import Clip, root_frames
 
 
@@ -115,8 +116,9 @@ def _clips(place: Path, paired: bool, judge: Recogniser | None, unit: float | st
             say(f"left out: {path.name}: {own.reason(error, path)}")
             continue
         name = path.relative_to(place) if place.is_dir() else Path(path.name)
-        clips[name.with_suffix("").as_posix()] = clip
+        plain = name.with_suffix("").as_posix()
+        clips[name.as_posix() if plain in clips else plain] = clip
     if not clips:
         raise ValueError(f"{place}: no motion file that can be measured; suffixes: "
-                         f"{', '.join(own.SUFFIXES)}")
+                         f"{', '.join(readers())}")
     return clips

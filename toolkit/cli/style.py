@@ -74,7 +74,7 @@ def add(
     for base in _bases(model, parameters):
         tensors, parts, network, bank = _read(base, parameters)
         if not isinstance(parts.setdefault("added", []), list):
-            raise ValueError(f"{model}: its list of added styles is damaged")
+            raise ValueError(f"{base}: its list of added styles is damaged")
         say(f"{base or 'published'}:")
         shown = [fitted(motion, network, bank) for motion in motions]
         for clip in shown:

@@ -108,11 +108,12 @@ def train(
         "predicting the mean, repeating the frame. Error of bone lengths in mm."
     )
     say(f"{'style':<20}{'model':>9}{'other':>9}{'mean':>9}{'repeat':>9}{'bone':>7}")
-    for row in run.table():
+    rows = run.table()
+    for row in rows:
         names = ("error", "other", "mean", "repeat")
         errors = "".join(f"{row.get(name, math.nan):>9.4f}" for name in names)
         say(f"{row['style']:<20}{errors}{1000 * row['bone']:>7.1f}")
-    if row["error"] >= row["repeat"]:
+    if rows and rows[-1]["error"] >= rows[-1]["repeat"]:
         say("The model predicts no better than repeating the frame: give it more time, or more "
             "motion.")
     say(f"{run.history[-1]['step']:,} steps in {run.history[-1]['elapsed']:.0f} s; wrote {out}")

@@ -40,7 +40,6 @@ GAITS |= {code.lower(): code for code in style100.GAITS}
 SHORTEST = trajectory.WHOLE / trajectory.FPS  # seconds of a clip with one usable frame
 NAMED = 10  # files that a warning names
 ALIKE = 1.3  # ratio of sizes up to which two bodies are used together
-SUFFIXES = readers()
 
 # The files and their labels ---------------------------------------------------------------------
 
@@ -58,7 +57,7 @@ def labelled(folder: Path) -> list[OwnTake]:
     if (folder / TABLE).exists():
         return _table(folder)
     found = [path for path in files.below(folder)
-             if path.suffix.lower() in SUFFIXES and path.is_file()]
+             if path.suffix.lower() in readers() and path.is_file()]
 
     # words of the names, without numbers; those common to all files say nothing
     words = {}
@@ -258,7 +257,7 @@ class Own(Source):
 
 
 SOURCE = Own("folder", re.compile(".*"),
-             f"recordings ({', '.join(SUFFIXES)}), and {TABLE} or a sub-folder per style", "")
+             f"recordings ({', '.join(readers())}), and {TABLE} or a sub-folder per style", "")
 
 
 def load(root: Root = None, styles: Names = None, gaits: Names = None, *,

@@ -21,7 +21,7 @@ from toolkit.motion.roles import ROLES, SIDES
 STEP = 1 / 30  # seconds between the positions of an acceleration or a jerk, at every rate
 RUNNING = 1.6  # m/s of the hips, over half a second, from which the limits of runs hold
 LOW, FLAT = 0.02, 0.02  # metres of toe and ankle above where they stand: the foot is flat
-STANCE, TOUCH = 0.2, 0.1  # seconds that a foot is flat at least, in a step and in a short one
+STANCE, TOUCH = 0.2, 0.1  # least seconds that a foot is flat, in a normal and in a short step
 # A planted foot goes along with the hips at less than a share of their speed, or of a slow walk's.
 BEHIND, STROLL = 0.5, 0.4
 STILL, SLOW = 0.1, 0.3  # m/s of a toe that turns on the spot, and of one near its lowest place
@@ -177,9 +177,9 @@ def _feet(clip: Clip, at: dict[str, Tensor]) -> Iterator[tuple[str, str, Tensor]
     lowest, strides = [], []
     for side in SIDES:
         toe, ankle = at[f"{side}_toe"], at[f"{side}_foot"]
-        low = toe[:, 1] - floor < LOW
-        stands = ankle[low, 1].quantile(0.25) if low.any() else ankle[:, 1].amin()
-        flat = low & (ankle[:, 1] - stands < FLAT)
+        low, above = toe[:, 1] - floor < LOW, ankle[:, 1] - floor
+        stands = above[low].quantile(0.25) if low.any() else above.amin()
+        flat = low & (above - stands < FLAT)
         velocity = _moved(toe, fps, TOUCH)
         # A swinging foot overtakes the hips; a planted one stays behind them, even if it slides.
         along = (velocity[:, [0, 2]] * hips).sum(-1) / travel.clamp_min(0.05)

@@ -204,8 +204,8 @@ def report(clips: Motion | Mapping[str, Motion], real: Motion | None = None,
     return Report(rows, list(found), notes, intervals)
 
 
-#: The number n of clips, and their measure for n choices among them: 0, 1, …, n - 1 are the clips
-#: as they are, and the bootstrap draws others.
+#: The number n of clips, and a function of n indices of clips: ``range(n)`` gives the measure
+#: itself, the bootstrap passes random indices.
 Statistic = tuple[int, Callable[[Sequence[int]], float]]
 
 
@@ -287,10 +287,11 @@ def _sets(judge: _Cached, data: Mapping[str, Sequence], real: Sequence | None,
         notes.append(f"fmd of {fewest} windows: a covariance of {judge.width} features needs more "
                      "windows than features, so compare its values within this table only")
     found = {name: dict.fromkeys(SET, average([])) for name in data}
+    enough = sum(len(judge.embed(clip)) for clip in reference) > 1
     for name in able:
         for key in ("diversity", "multimodality", "recognition-top1"):
             found[name][key] = _of(SET[key], judge, data[name])
-        if reference and counts[name] > 1 and counts.get("real", 0) != 1:
+        if enough and counts[name] > 1 and counts.get("real", 0) != 1:
             found[name]["fmd"] = _of(sets.fmd, judge, compared[name], reference, fewest)
             found[name]["nearest"] = _of(sets.nearest, judge, compared[name], reference)
     return found
@@ -305,7 +306,7 @@ def _of(measure: Callable[..., float], judge: _Cached, clips: Sequence, *others:
 def of_styles(styles: Sequence[str], measure: Callable[[list[int]], float]) -> Statistic:
     """A `Statistic` of a measure of sets, whose bootstrap keeps the number of clips of each style.
 
-    It is stratified: a draw over all clips becomes, by a remainder, one within the clip's style.
+    It is stratified: each random index is mapped to a clip of the same style, by a remainder.
     ``measure`` takes indices of clips.
     """
     alike = [[n for n, other in enumerate(styles) if other == style] for style in styles]

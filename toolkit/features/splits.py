@@ -137,10 +137,11 @@ def pieces(clips: Iterable[Clip], parts: datasets.blocks.Split) -> Iterator[tupl
 
 
 def style_clips(data: Features, style: str, held_out: Tensor) -> Tensor | Rows:
-    """Style clips that share no frame with the windows of the rows ``held_out [N]`` of a style.
+    """Style clips without a frame of the windows of rows ``held_out [N]`` of a style.
 
-    Nor with their mirror images. If every clip shares one, the longest remaining stretch of each is
-    repeated, if it lasts `STRETCH` frames or more. All clips, with a warning, if there is none.
+    Frames of their mirror images count, too. If every clip has one, the longest remaining stretch
+    of each is repeated, if it lasts `STRETCH` frames or more. All clips, with a warning, if there
+    is none.
     """
     clips = data.clips[style]
     if data.spans is None or not held_out.any():
@@ -181,7 +182,7 @@ def held_out(data: Features, share: float, seed: int, styles: tuple[str, ...]) -
         whole = len(windows) >= SPLIT_TAKES
         if not whole:
             windows = [w for take in windows for w in take.split(SPLIT_FRAMES)]
-        chosen = torch.zeros(len(frames), dtype=torch.bool)
+        chosen = torch.zeros_like(frames, dtype=torch.bool)
         for w in torch.randperm(len(windows), generator=generator(seed, SPLIT, style)).tolist():
             missing = round(share * len(frames)) - int(chosen.sum())
             if missing <= 0:
@@ -208,12 +209,10 @@ def mix(*keys: int | str) -> int:
 
 @contextlib.contextmanager
 def seeded(device: torch.device | str, *numbers: int) -> Iterator[None]:
-    """Seeds torch's global generators inside; restores the random state on exit."""
+    """Seeds torch's global generators inside; restores those of CPU and CUDA on exit."""
     device = torch.device(device)
-    gpus = [] if device.type == "cpu" else [device.index or 0]
+    gpus = [device.index or 0] if device.type == "cuda" else []
     with torch.random.fork_rng(devices=gpus):
-        # torch.manual_seed seeds these too, but takes half a millisecond where there is no GPU
-        torch.default_generator.manual_seed(mix(*numbers))
-        if gpus:
-            torch.cuda.manual_seed_all(mix(*numbers))
+        # torch.manual_seed seeds all devices, but takes half a millisecond where there is no GPU
+        (torch.default_generator if device.type == "cpu" else torch).manual_seed(mix(*numbers))
         yield

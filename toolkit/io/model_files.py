@@ -22,7 +22,7 @@ FORMAT = "toolkit 1"
 TENSORS = 10_000  # of a file
 METADATA = 16_000_000  # bytes, of the description in a file
 LARGEST = 1e30  # number of a file; the inverse of one is the smallest deviation
-COMPUTED = 100_000_000  # bytes of buffers that no file holds, which a module of a file may compute
+COMPUTED = 100_000_000  # most bytes of the buffers that a module computes and no file holds
 
 
 def write(path: str | os.PathLike, tensors: dict[str, Tensor], parts: dict[str, Any]) -> None:

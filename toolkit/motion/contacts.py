@@ -57,9 +57,9 @@ def floor_height(clip: Clip) -> Tensor:
 def floor_line(lower: Tensor, part: int, drift: float) -> Tensor:
     """The floor ``[F]`` below a lower toe's heights ``lower [F]``.
 
-    It goes through the lowest toe of each ``part`` of so many frames, by the median of the slopes
-    between pairs of them (Theil and Sen). A line that changes by less than ``drift``, or that fits
-    little better than a level floor, is level.
+    It is fitted to the lowest height in each block of ``part`` frames; its slope is the median of
+    those between all pairs of blocks (Theil and Sen). A line that changes by less than ``drift``,
+    or that fits little better than a level floor, is level.
     """
     level = lower.quantile(0.05).expand(len(lower))
     if lower.is_meta or len(lower) < 4 * part:

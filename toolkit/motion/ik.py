@@ -22,10 +22,10 @@ LEG = *CHAINS["leg"], "toe"  # parts of a leg
 # and in the air, where a knee that is nearly straight would move too fast.
 SOFT, SWING = 0.01, 0.03
 STRAIGHT = 0.1  # sine of the angle below which a thigh says less and less where the knee goes
-NEAR = 0.08  # metres that a locked toe may always stay behind towards the other toe
+NEAR = 0.08  # metres that a locked toe may always be off its prediction towards the other toe
 SLACK = 0.3  # metres that a locked toe may stay behind its prediction
 RETURN = 10.0  # per second: decay of a released toe's offset from its prediction, and of the hips'
-ROOM = 0.035  # of a leg's length: over twice this, hips begin to sink gently
+ROOM = 0.035  # of a leg's length: half of the range over which hips begin to sink gently
 DEEPEST = 0.115  # of a leg's length: hips sink at most so far
 FALL = 0.6  # m/s, at which they sink at most
 # Ankles are at least ASIDE of a leg's length apart sideways, until one is PASSED of it ahead of the
@@ -183,7 +183,8 @@ def hold_feet(swivel: Tensor, before: Tensor, predicted: Tensor, contacts: Tenso
 def swivelled(skeleton: Skeleton, turned: Tensor, swivel: Tensor) -> Tensor:
     """World rotations ``[..., J, 4]`` with feet and toes turned by angles ``[..., 2]``."""
     turned, turn = turned.clone(), R.yaw(swivel)
-    for joints in map(skeleton.both, ("foot", "toe")):
+    feet, toes = map(skeleton.both, ("foot", "toe"))
+    for joints in (feet, toes)[: 1 + (feet != toes)]:  # without toes, the foot has both roles
         turned[..., joints, :] = R.multiply(turn, turned[..., joints, :])
     return turned
 

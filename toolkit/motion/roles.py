@@ -167,7 +167,7 @@ def _in_order(words: list[JointName], path: list[int],
 
 def _halved(words: list[JointName], tree: Tree, side: str, parts: tuple[str, ...],
             found: Places) -> Places:
-    """Upper and middle joint of a limb whose named parts are unequal, if others make them equal.
+    """Other upper and middle joints of a limb, if the named ones divide it less equally.
 
     A rig may have one more joint in the thigh, whose name fits the hip or the knee better than the
     right one's.

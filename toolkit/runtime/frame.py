@@ -225,7 +225,8 @@ def planted(model, state: CharacterState, new: CharacterState) -> CharacterState
 
     swivel = hold_feet(state.swivel, *feet, new.contacts, 1 / FPS)
     skeleton = layout.skeleton
-    soles = skeleton.offsets[skeleton.both("toe")].to(toes)
+    ankles, balls = skeleton.both("foot"), skeleton.both("toe")
+    soles = skeleton.offsets[balls].to(toes) * (ankles != balls)
     raised = (R.rotate(feet[1], soles) - soles)[..., 1]
     left = torch.stack((new.root[:, 3], -new.root[:, 2]), -1)
     toes, drift = foot_lock(state.toes, state.drift, before, toes, state.contacts, new.contacts,

@@ -32,9 +32,9 @@ WINDOW = 3.0  # seconds in which a cycle is compared with the next one
 #: What a walk has at least: seconds, m/s, and how regular it is (`periodicity`).
 SHORTEST, SLOWEST, PERIODIC = 1.9, 0.3, 0.4
 #: Largest differences from the clip of a good walk, relative for speed and steps; twice as much
-#: is a failure. Its posture has at most so large a share of a floor's distance, but `CLOSE` cm are
-#: always enough and `FAR` never. Its range is at most so many times the clip's, or smaller. Its
-#: reach is `REACH` cm from the clip's at most: the halves of 19 of 21 recorded walks are nearer.
+#: is a failure. Posture: `POSTURE` times the distance of the nearest floor, but between `CLOSE` and
+#: `FAR` cm. Range: the clip's, times `RANGE` or divided by it. Reach: `REACH` cm from the clip's;
+#: the halves of 19 of 21 recorded walks are nearer.
 LIMITS = {"speed": 0.25, "direction": 15.0, "steps": 0.2, "slower foot": 8.0, "hips": 6.0,
           "knees": 20.0, "head": 15.0}
 POSTURE, CLOSE, FAR, RANGE, REACH = 0.8, 2.0, 7.0, 2.2, 8.0
@@ -116,7 +116,7 @@ class Walk(NamedTuple):
 def walks(clip: Clip, model: Predictor, vectors: Tensor, bank: StyleBank, floors: Sequence[str],
           times: int = 1) -> list[Walk]:
     """K ``vectors [K, D]`` and then ``floors``, styles of the bank, walk side by side on the path
-    of a clip: from its start on, and from its middle on. So many ``times`` this will be asked for.
+    of a clip: from its start on, and from its middle on. Compiling pays for many ``times``.
     """
     clip = middle(clip)
     together = torch.cat([vectors, *(bank[other][None] for other in floors)])
@@ -242,9 +242,9 @@ def toes_apart(clip: Clip) -> Tensor:
 
 
 def steps_per_second(walk: Clip, clip: Clip) -> float:
-    """Two steps in the time of the middle stride; a step is another foot ahead, by a third of the
-    deviation that the clip's toes have. A limp has a long and a short step, a path may have a
-    pause: so the stride, and the middle one.
+    """Two divided by the median time of a stride. A step is counted when the other toe is ahead by
+    a third of the deviation that the clip's toes have. A limp has a long and a short step, a path
+    may have a pause: so the stride, and the median.
     """
     apart = toes_apart(walk) - toes_apart(walk).mean()
     far = torch.nonzero(apart.abs() > toes_apart(clip).std() / 3)[:, 0]

@@ -221,8 +221,8 @@ def _start(model: Predictor, bank: StyleBank | None, data: Features) -> Tensor:
 
 
 def _walked(model: Predictor, bank: StyleBank) -> Tensor:
-    """Poses of the model's walks in all styles, six per second; kept until others are asked for,
-    as a clip's vectors are learnt again and again beside the same bank.
+    """Poses of the model's walks in all styles, six per second. The last ones are kept, because
+    one bank is used for many trainings.
     """
     if (key := model.fingerprint(bank.vectors)) not in _POSES:
         states = list(runtime.states(model, runtime.straight(*WALK), bank.vectors))

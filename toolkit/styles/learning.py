@@ -89,11 +89,12 @@ def _in_closed_loop(made: NewStyles, clip: Clip, bank: StyleBank, compared: Comp
         return comparison.walks(clip, model, vector[None], made.bank, floors, rounds)
 
     for rate, enough in zip(RATES, (ENOUGH, 1.0), strict=True):
-        left = range(rounds if compared.excess > enough else 0)
+        if not rounds or compared.excess <= enough:
+            break
         vector = bank[name]
         loop = ClosedLoop(model, middle, vector, prior, rate, rounds, seed)
-        walked = walks() if left else []
-        for _ in progress_bar(left, desc="closed loop", unit="round", show=progress):
+        walked = walks()
+        for _ in progress_bar(range(rounds), desc="closed loop", unit="round", show=progress):
             vector = loop.round(walked)
             walked = walks()
             (found,) = comparison.compared(clip, model, walked, floors)

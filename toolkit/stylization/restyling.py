@@ -46,6 +46,7 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
         If the clip has another skeleton or fewer frames than the pooling needs, the domain is
         unknown, or neither domain nor reference is given.
     """
+    clip = clip.to("cpu")  # as the network
     source = prepare(clip, model.skeleton)
     if len(source) < SHRINK:
         raise ValueError(f"{clip.name}: pooling needs {SHRINK} frames at {FPS:g} Hz, "

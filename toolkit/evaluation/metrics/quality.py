@@ -4,6 +4,8 @@ Real motion does not have the value 0: compare with real clips. `toolkit.evaluat
 the single moments.
 """
 
+import math
+
 import torch
 from torch import Tensor
 
@@ -106,4 +108,4 @@ def _deviation(points: Tensor) -> float:
 def _mean(clip: Clip, kind: str) -> float:
     """Mean of a kind of `findings.measured`, NaN where it has no value."""
     found = [values for kinds, _, values, _ in findings.measured(clip) if kinds == kind]
-    return float(torch.cat(found).nanmean())
+    return float(torch.cat(found).nanmean()) if found else math.nan

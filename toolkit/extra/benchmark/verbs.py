@@ -10,9 +10,9 @@ from typer import Argument, Option
 from toolkit.cli import motion_files
 from toolkit.cli.evaluate import check_table, method_names, write_table
 from toolkit.cli.verbs import Published, Roles, Unit, Up, say
-from toolkit.datasets import folder as own
 from toolkit.extra import benchmark
 from toolkit.io import bvh, save as saving
+from toolkit.io.load import readers
 from toolkit.training import published
 from toolkit.training.run import model_file
 
@@ -61,7 +61,9 @@ def score(
         raise ValueError(f"{folder}: no such folder")
     _check(out)
     judging = benchmark.Judges.load(judges)
-    paths = [path for path in sorted(folder.glob("*")) if path.suffix.lower() in own.SUFFIXES]
+    paths = [path for path in sorted(folder.glob("*")) if path.suffix.lower() in readers()]
+    if len({path.stem for path in paths}) < len(paths):
+        raise ValueError(f"{folder}: two files have the same name but for the suffix")
     clips = {path.stem: motion_files.read(path, unit, up, roles) for path in paths}
     files = {"judges": judges or benchmark.judges.FILE}
     _tell(benchmark.score(clips, judging, folder.name, files), out)

@@ -93,7 +93,7 @@ class _Reader:
         skins = self.file.listed("skins")
         listed = [indices_of(skin, "joints", len(self.nodes)) for skin in skins]
         meshes = [j for j, node in enumerate(self.nodes) if "mesh" in node]
-        skinned = {j: listed[index_of(self.nodes[j], "skin", len(skins))] for j in meshes
+        skinned = {j: index_of(self.nodes[j], "skin", len(skins)) for j in meshes
                    if "skin" in self.nodes[j]}
         if not skinned:
             raise ValueError("it holds no skinned mesh, so there is no character to draw")
@@ -103,7 +103,7 @@ class _Reader:
             raise ValueError(f"its mesh {name} is compressed by {packed[0]}; {self.file.unpacking}")
         joints = self._tree({j for of in listed for j in of})
         place = {j: i for i, j in enumerate(joints)}
-        bind, shift = self._bind(skins, listed, joints)
+        bind, spaces = self._bind(skins, listed, joints)
 
         # The joint on which a node hangs, or -1
         hosts = [-1] * len(self.nodes)
@@ -111,8 +111,8 @@ class _Reader:
             hosts[j] = place.get(j, hosts[self.parents[j]] if self.parents[j] >= 0 else -1)
 
         rows = []
-        for j, of in skinned.items():
-            rows += self._primitives(j, shift, np.array([place[k] for k in of], int))
+        for j, k in skinned.items():
+            rows += self._primitives(j, spaces[k], np.array([place[i] for i in listed[k]], int))
         for j in meshes:
             if j not in skinned and (host := hosts[j]) >= 0:  # moves with one joint
                 still = np.linalg.inv(self.world[joints[host]]) @ self.world[j]
@@ -149,13 +149,14 @@ class _Reader:
         return found
 
     def _bind(self, skins: list[dict], listed: list[list[int]],
-              joints: list[int]) -> tuple[np.ndarray, np.ndarray]:
-        """World transforms of the joints in the bind pose, and from the mesh's space to the world.
+              joints: list[int]) -> tuple[np.ndarray, list[np.ndarray]]:
+        """World transforms of the joints in the bind pose, and of the space of each skin's mesh.
 
-        A skin's inverse bind matrices lead from the space of the mesh to the joints. That space
-        lies where the first joint is in the pose of the nodes.
+        A skin's inverse bind matrices lead from this space to the joints. It is placed by a joint
+        that an earlier skin has bound, or else by its first joint, in the pose of the nodes.
         """
-        inverse: dict[int, np.ndarray] = {}
+        bind: dict[int, np.ndarray] = {}
+        spaces = []
         for skin, of in zip(skins, listed, strict=True):
             matrices = np.eye(4)[None].repeat(len(of), 0)
             if "inverseBindMatrices" in skin:
@@ -163,21 +164,22 @@ class _Reader:
                 matrices = matrices.reshape(-1, 4, 4).swapaxes(1, 2)  # the file goes by columns
             if len(matrices) < len(of):
                 raise ValueError("a skin has fewer inverse bind matrices than joints")
-            for j, matrix in zip(of, matrices, strict=False):
-                inverse.setdefault(j, matrix)
-        first = next(j for j in joints if j in inverse)
-        shift = self.world[first] @ inverse[first]
+            inverse = dict(zip(of, matrices, strict=False))
+            shared = bind.keys() & inverse.keys()
+            first = next((j for j in joints if j in (shared or inverse)), None)
+            if first is not None:
+                spaces.append(bind.get(first, self.world[first]) @ inverse[first])
+            else:
+                spaces.append(np.eye(4))
+            for j, matrix in inverse.items():
+                bind.setdefault(j, spaces[-1] @ np.linalg.inv(matrix))
 
-        bind: dict[int, np.ndarray] = {}
         for j in joints:
             above = self.parents[j]
-            if j in inverse:
-                bind[j] = shift @ np.linalg.inv(inverse[j])
-            elif above in bind:  # keeps its place below the joint above
+            if j not in bind and above in bind:  # keeps its place below the joint above
                 bind[j] = bind[above] @ np.linalg.inv(self.world[above]) @ self.world[j]
-            else:
-                bind[j] = self.world[j]
-        return np.stack([bind[j] for j in joints]), shift
+            bind.setdefault(j, self.world[j])
+        return np.stack([bind[j] for j in joints]), spaces
 
     def _primitives(self, node: int, place: np.ndarray, skin: np.ndarray | None,
                     host: int = -1) -> list[tuple[np.ndarray, ...]]:

@@ -133,7 +133,7 @@ def steer(old, wanted, look, rules, x, new):
         rest = min(max(np.float64(old.rest[b, 0]) + pace, 0.0), 1.0)
         new.rest[b, 0] = rest
 
-        # the target velocity, which opposes a false one
+        # the target velocity, which counteracts a velocity that differs from the command
         moved = _moved(history, len(history) - 1, rules)
         still = 1.0 - min(math.hypot(vx, vz) / rules.slow, drive / rules.low)
         hold = rules.stand_still * max(still, 0.0)
@@ -371,8 +371,9 @@ def after_network(old, z, rules, body, new):
             were = _foot(old.history[b], old.joints[b], rules, side)
             are, angle = _foot(history, pose, rules, side), np.float64(old.swivel[b, side])
             new.swivel[b, side] = _hold_foot(angle, were, are, contacts[side], rules)
-            sole = ik.triple(body.offsets[body.legs[side][3]])
-            raised[side] = ik.rotate(are, sole)[1] - sole[1]
+            foot, toe = body.legs[side][2:]
+            sole = ik.triple(body.offsets[toe])
+            raised[side] = ik.rotate(are, sole)[1] - sole[1] if toe != foot else 0.0
         _foot_lock(
             toes_were, drift, before, predicted, was, contacts, left, raised, rules, toes, new_drift
         )

@@ -122,7 +122,7 @@ def from_forward_up(forward, up):
     diagonal = 1 + p + q + r, 1 + p - q - r, 1 - p + q - r, 1 - p - q + r
     x, y, z = b[2] - c[1], c[0] - a[2], a[1] - b[0]
     xy, xz, yz = b[0] + a[1], c[0] + a[2], c[1] + b[2]
-    # the largest of the four is divided by, which loses no digits
+    # dividing by the largest of the four loses no digits
     best = 0
     for i in range(1, 4):
         if diagonal[i] > diagonal[best]:
@@ -321,7 +321,8 @@ def pose(histories, poses, toes, drops, swivels, body, feet, arms, rotations, ro
             _write(turned, j, from_forward_up(to_world(heading, forward), to_world(heading, up)))
         if feet:
             for side in range(2):
-                for j in body.legs[side][2:]:
+                leg = body.legs[side]
+                for j in leg[2 : 3 + (leg[3] != leg[2])]:  # without toes, the foot has both roles
                     turn = yaw(np.float64(swivels[b, side]))
                     _write(turned, j, multiply(turn, _read(turned, j)))
         put(places[0], plus(floor, to_world(heading, triple(joints))))

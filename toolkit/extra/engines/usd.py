@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 from pxr import Gf, Tf, Usd, UsdGeom, UsdSkel, Vt
 
+from toolkit.extra.formats.nodes import unique
 from toolkit.io.files import write_whole
 from toolkit.motion import Clip, rotations as R
 
@@ -30,8 +31,8 @@ def write(clip: Clip, path: Path, *, character, **_) -> None:
 
     # A joint's name is its path
     joints: list[str] = []
-    for name, parent in zip(skeleton.names, skeleton.parents, strict=True):
-        name = Tf.MakeValidIdentifier(name)
+    names = unique([Tf.MakeValidIdentifier(name) for name in skeleton.names])
+    for name, parent in zip(names, skeleton.parents, strict=True):
         joints.append(name if parent < 0 else f"{joints[parent]}/{name}")
     bind, rest = np.tile(np.eye(4), (2, len(skeleton), 1, 1))
     bind[:, :3], rest[:, :3, 3] = figure.skin.inverse, skeleton.offsets

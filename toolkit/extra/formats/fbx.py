@@ -170,7 +170,7 @@ class Scene(Records):
         """The models as nodes; ``moved`` holds the animated properties of some."""
         places, nodes = {key: i for i, key in enumerate(self.models)}, []
         parents = {child: places[key] for key in self.models
-                   for child, _ in self.connected(key, self.models)}
+                   for child, what in self.connected(key, self.models) if not what}
         for key, model in self.models.items():
             node = Node(model.name, parents.get(key, -1),
                         *_transform(model.values, moved.get(key, {})),

@@ -218,7 +218,7 @@ class _Tree:
                               for j in range(len(self.nodes)))
 
         def aside(j: int) -> bool:
-            """Whether a branch is no limb: a helper, or without a skin and small or moving."""
+            """Whether a branch is no limb: a helper, or small or moving and without a skin."""
             apart = self.joints[j] <= FEW or (self.skin and moving[j] > 0)
             return self.helper(j) or (apart and not self.skinned[j])
 

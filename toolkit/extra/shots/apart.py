@@ -4,8 +4,8 @@ den Berg et al. 2011).
 Optimal reciprocal collision avoidance: for each neighbour, a character keeps to a half-plane of
 velocities. Both of a pair take half of the change that avoids a collision within `HORIZON`. The
 velocity is the one in all half-planes that is nearest to the wanted one, by Hildreth's method
-(1957). Ours: where none is in all of them, all are missed by little; who meets others walks to the
-right.
+(1957). Ours: where none is in all of them, all are missed by little; characters that meet turn to
+the right.
 """
 
 import numpy as np

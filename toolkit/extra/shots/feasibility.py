@@ -100,8 +100,8 @@ def beside(course: Course, places: list[Pair]) -> list[float]:
 
 
 def arrival(goal: Pair, time: float, places: list[Pair]) -> tuple[float, float]:
-    """When a character is within `NEAR` of a place, seconds after ``time``, and how near it comes
-    within `SECONDS` of it.
+    """How late a character is within `NEAR` of a place, seconds after ``time``, and its least
+    distance within `SECONDS` of that time.
 
     Only places within two seconds of the time count. The first number is 0 if the character is
     `NEAR` within `SECONDS`, and infinite if it never is.

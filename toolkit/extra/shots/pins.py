@@ -30,7 +30,7 @@ def weights(pins: Sequence[Pin], part: str, times: Tensor) -> tuple[list[tuple[P
                                                                     Tensor]:
     """The weight ``[F]`` of every pin of a part of the body at times ``[F]``, and of all.
 
-    Each is blended onto what those before it make.
+    They are applied in order of time, each to the result of those before.
     """
     found, end, free = [], -math.inf, torch.ones_like(times)
     for pin in sorted((p for p in pins if getattr(p, part) is not None), key=lambda p: p.at):
@@ -85,7 +85,8 @@ def stations(pins: Sequence[Pin], path: Sequence[Point], base: Plan, now: Plan) 
         if foot or side * left < ACROSS or not CLOSE <= off <= NEAR:
             s, c = _facing(now, knots[name]) if name in knots else (s, c)
             x, z = goal[0] - ahead * s - aside * c, goal[1] - ahead * c + aside * s
-        while any(math.hypot(p.x - x, p.z - z) < LEAST for p in path):
+        taken = [*path, *(point for _, (_, point, _) in added)]
+        while any(math.hypot(p.x - x, p.z - z) < LEAST for p in taken):
             x, z = x + LEAST * s, z + LEAST * c
         spare = BLEND + SETTLE if foot else 0.0
         time, pause = max(pin.at - spare, 1 / FPS), pin.end - pin.at + 2 * spare

@@ -64,7 +64,7 @@ def pinned(skeleton: Skeleton, rotations: Tensor, root: Tensor,
             ways.append((share * (x - px), 0.0, share * (z - pz)))
         return root.new_tensor(ways)
 
-    goals = {}  # of a limb: how far from its own place it is to be, and the weight
+    goals = {}  # of a limb: its goal, the weight of all pins, and place and weight of each
     for limb in LIMBS:
         own, found = p[:, skeleton.role(limb)], []
         goal = own
@@ -223,7 +223,7 @@ def _arc(a: Tensor, b: Tensor) -> Tensor:
 
 
 def _swung(a: Tensor, b: Tensor, aside: Tensor, w: Tensor) -> Tensor:
-    """A direction on its way from one to another, past a third one if they are opposite."""
+    """A direction between two, past a third one if they are opposite."""
     a, b = R.normalize(a), R.normalize(b)
     middle, turned = R.normalize(a + b + aside / 3), []
     for start, goal in ((a, middle), (middle, b)):

@@ -308,8 +308,8 @@ class Scene:
 def _aimed(course: Course, clock: int, place: Pair, asked: np.ndarray) -> tuple[Pair, bool]:
     """The velocity that a character wants who may have left the path; whether others hold it up.
 
-    It goes to a place on the path `AHEAD`. Back to the nearest one, it would go against those whom
-    it makes room for, and all would stand.
+    It goes to a place on the path `AHEAD`. If it went back to the nearest one, it would push those
+    for whom it made room, and all would stop.
     """
     clock = min(clock, len(course.distance) - 1)
     here = nearest(course.curve, place, course.distance[clock])

@@ -42,7 +42,9 @@ def shot(
         # each shot is walked twice, to check it and to render it
         frames = sum(2 * len(asked.plan(bank)[0].distance) for asked in scene.shots)
         net = runtime.quick(net, frames, say)
-        if bodies is not None and scene.apart is not None:
+        if bodies is not None:
+            if scene.apart is None:
+                raise ValueError('--bodies needs a scene with "apart"')
             scene = scene.spaced(net, bank, bodies)
         for line in scene.check(net, bank):
             say(line, sys.stderr)

@@ -100,9 +100,9 @@ def strip(
 def instants(clip: Clip, count: int) -> np.ndarray:
     """Frames ``[count]`` at which a strip shows a clip.
 
-    At equal times, a strip can show the same pose of each stride. So the poses are at equal steps
-    of the stride's phase, which share no factor with their number: each shows another part of the
-    stride. Without strides they are at equal times.
+    At equal times, a strip can show the same pose of each stride. So N poses are k/N of a stride
+    apart, k without a common factor with N: each shows another part of the stride. Without strides
+    they are at equal times.
     """
     even = np.linspace(0, len(clip) - 1, count).round().astype(int)
     if not clip.skeleton.has("foot", "hip", "shoulder") or len(clip) <= count:

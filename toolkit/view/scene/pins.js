@@ -51,7 +51,8 @@ export function stations(pins, path, base, now, r) {
       if (name in knots) [s, c] = facing(now, knots[name]);
       (x = goal[0] - ahead * s - aside * c), (z = goal[1] - ahead * c + aside * s);
     }
-    while (path.some((p) => Math.hypot(p.x - x, p.z - z) < r.LEAST)) (x += r.LEAST * s), (z += r.LEAST * c);
+    const taken = [...path, ...added.map(([, { point }]) => point)];
+    while (taken.some((p) => Math.hypot(p.x - x, p.z - z) < r.LEAST)) (x += r.LEAST * s), (z += r.LEAST * c);
     const spare = foot ? r.BLEND + r.SETTLE : 0, pause = endOf(pin) - pin.at + 2 * spare;
     added.push([distance, { name, point: { x, z, time: Math.max(pin.at - spare, 1 / r.FPS) }, pause: pause > r.PASSED ? pause : 0 }]);
   }

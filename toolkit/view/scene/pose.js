@@ -178,7 +178,7 @@ export function pose({ history, joints, toes, drop, swivel }, body, rules, { fee
   const ends = () => { for (const j of body.ends) turned[j] = turned[body.parents[j]]; };
   const turned = body.features.map((joint) => fromForwardUp(world(joint, "forward"), world(joint, "up")));
   if (feet) // feet and toes
-    body.legs.forEach((leg, side) => leg.slice(2).forEach((j) => (turned[j] = multiply(yaw(swivel[side]), turned[j]))));
+    body.legs.forEach((leg, side) => new Set(leg.slice(2)).forEach((j) => (turned[j] = multiply(yaw(swivel[side]), turned[j]))));
   const places = body.parents.map(() => plus([x, 0, z], world(0, "position")));
   if (arms) {
     turnArms(body, turned, places, (point) => plus([x, 0, z], world(body.own[point], "position")));
