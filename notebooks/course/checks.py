@@ -4,10 +4,12 @@ are shown only if true.
 
 import copy
 import importlib
+import sys
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
+from types import CodeType
 from typing import Any
 
 import numpy as np
@@ -152,6 +154,22 @@ def equals(right: Any, wrong: Mapping[str, Any] | None = None, tolerance: float 
         return next(known, f"{difference}.")
 
     return judge
+
+
+def traced(function: Callable, *arguments: Any, note: Callable[[CodeType], str]) -> tuple:
+    """What a function returns, and what ``note`` said of the code that ran in it, without ""."""
+    seen: list[str] = []
+
+    def entered(frame, event, _) -> None:
+        if event == "call" and (said := note(frame.f_code)):
+            seen.append(said)
+
+    before = sys.getprofile()
+    sys.setprofile(entered)
+    try:
+        return function(*arguments), seen
+    finally:
+        sys.setprofile(before)
 
 
 def shows(*conditions: tuple[str, Callable[..., bool]], parts: int = 1) -> Judge:

@@ -7,6 +7,8 @@ import math
 import numpy as np
 import torch
 
+import toolkit as tk
+
 PI = math.pi
 LEG = torch.tensor([[0.0, 1.0, 0.0], [0.0, 0.55, 0.1], [0.0, 0.1, 0.0]])  # of exercise 03b.3
 RIGHT, WRONG = {}, {}
@@ -200,13 +202,25 @@ WRONG["12.1"] = [
 ]
 RIGHT["12.2"] = [1 / 6, 0.17]
 WRONG["12.2"] = [0.95, 0.83, 0.01]
+
+
+def lowered(style, frames=12):
+    """How far the hips of a walk are below one metre, cm; Old is the new style."""
+    model, bank = tk.pretrained()
+    style, ahead = bank["Old" if style == "Mine" else style], tk.runtime.straight(1.0, frames / 60)
+    return 100 - 100 * float(list(tk.runtime.states(model, ahead, style))[-1].joints[0, 1])
+
+
 RIGHT["12.3"] = [
-    dict(what='bones of the arm get too long', unit='mm',
-         measure=lambda x: 5 + (x == 'Mine') + len(x) / 50),
-    dict(what='the character drifts off its path', unit='cm',
-         measure=dict(Mine=9, Neutral=2, Zombie=3).get),
+    dict(what='the hips are too low in the walk', unit='cm', measure=lowered),
+    dict(what='it is lower by as many metres as that', unit='m',
+         measure=lambda name: lowered(name, 30) / 100),
 ]
 WRONG["12.3"] = [
+    dict(what='the character drifts off its path', unit='cm',
+         measure=dict(Mine=9, Neutral=2, Zombie=3).get),
+    dict(what='the character drifts off its path', unit='cm', measure=lambda name: -len(name)),
+    dict(what='the hips are too high in the walk', unit='cm', measure=lambda name: -lowered(name)),
     'Everything works perfectly and nothing fails in 12 tests',
     dict(what='bones', unit='mm', measure=len),
     dict(what='the moon is made of cheese', unit='mm', measure=lambda x: 8),

@@ -122,6 +122,12 @@ def stride(clip, limb):
     return curve if limb[0] == "r" else -curve
 
 
+def together(clip, limb):
+    """The sum of all swings, those against the limb's with a minus."""
+    mine = ahead(clip, limb)
+    return sum(ahead(clip, x) * (ahead(clip, x) * mine).mean().sign() for x in tk.phases.LIMBS)
+
+
 SOURCES = {  # right answers and wrong ones
     "02b.2": ([
         still,
@@ -140,15 +146,17 @@ SOURCES = {  # right answers and wrong ones
         tk.phases.Contact(), tk.phases.Hybrid(), 1.0,
     ]),
     "02b.3": ([
+        together,
+        lambda clip, limb: together(clip, limb).tanh(),
+        lambda clip, limb: together(clip, limb) + ahead(clip, limb),
+        lambda clip, limb: 2 * together(clip, limb) - ahead(clip, limb),
+        lambda clip, limb: 3 * together(clip, limb) + 1,
+    ], [
         lambda clip, limb: stride(clip, limb) + ahead(clip, limb) / 2,
         lambda clip, limb: stride(clip, limb).tanh(),
-        lambda clip, limb: 2 * stride(clip, limb) + ahead(clip, limb),
-        lambda clip, limb: stride(clip, limb) + ahead(clip, limb) - ahead(
-            clip, {"left_hand": "right_hand"}.get(limb, "left_hand")),
         lambda clip, limb: sum(
             ahead(clip, x) * (1 if (x[0] == limb[0]) == (x[-4:] == limb[-4:]) else -1)
             for x in tk.phases.LIMBS),
-    ], [
         lambda clip, limb: sum(ahead(clip, x) for x in tk.phases.LIMBS),
         lambda clip, limb: ahead(clip, "left_hand"),
         lambda clip, limb: ahead(clip, limb) * (1 if limb[0] == "l" else -1),

@@ -24,7 +24,7 @@ from toolkit.styles.comparison import Walk, turned
 #: A round has so many steps of gradient descent. In a step, characters start from states of walks
 #: and go on for so many frames; the first of them still show the vector before, and do not count.
 STEPS, STARTS, FRAMES, SKIPPED = 5, 16, 90, 18
-RATES = 2e-2, 5e-3  # Adam's first rates: at the higher one, each round can break a walk
+RATES = 2e-2, 5e-3  # Adam's first rates: at the higher one, each round breaks some walks
 MAX_GRADIENT = 1.0  # the norm to which gradients are clipped
 PRIOR = 0.05  # weight of the mean squared z-score of the vector among the bank's
 QUANTILES = 64  # of a distribution

@@ -92,7 +92,7 @@ EXERCISES = {
             ("give a dictionary with weights of Old and of Zombie",
              lambda x: isinstance(x, dict) and set(x) == {"Old", "Zombie"}),
             ("the weights should sum to one", lambda x: abs(sum(x.values()) - 1) < 1e-3),
-            ("this vector is nearer to Old's", lambda x: abs(x["Zombie"]) > abs(x["Old"])),
+            ("this vector is not nearer to Zombie's", lambda x: abs(x["Zombie"]) > abs(x["Old"])),
             ("it is not three times as far",
              lambda x: abs(abs(x["Zombie"]) - 3 * abs(x["Old"])) < 0.01),
         ),

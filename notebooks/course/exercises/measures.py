@@ -4,7 +4,7 @@ import math
 from functools import cache
 
 import torch
-from course.checks import Exercise, draws, equals, same_as, shows, truth
+from course.checks import Exercise, draws, equals, same_as, shows, traced, truth
 
 import toolkit as tk
 
@@ -103,7 +103,13 @@ def _refuses(grade, walk: str) -> bool:
     return not any(_passes(grade, name) for name in (walk, f"second {walk}", f"third {walk}"))
 
 
-UNITS = ("cm", "mm", "m", "m/s", "cm/s", "m/s²", "°", "%", "s", "Hz", "frames")
+RUNTIME = {tk.runtime.frame.__file__, tk.runtime.recording.__file__}
+UNITS = ("cm", "mm", "m", "m/s", "cm/s", "m/s²", "°", "%", "s", "Hz", "1/s", "frames", "times")
+
+
+def _of_runtime(code) -> str:
+    """Whether some code is of the runtime: its name, or ""."""
+    return code.co_name if code.co_filename in RUNTIME else ""
 
 
 def _finding(answer) -> str:
@@ -116,14 +122,17 @@ def _finding(answer) -> str:
         return f"the unit should be one of {', '.join(UNITS)}."
     if not callable(answer["measure"]):
         return "`measure` should be a function: somebody else must be able to run it again."
-    mine, again, floor, other = (
-        float(answer["measure"](name)) for name in ("Mine", "Mine", "Neutral", "Zombie"))
+    found = []
+    for name in ("Mine", "Mine", "Neutral"):
+        number, walked = traced(answer["measure"], name, note=_of_runtime)
+        if not walked:
+            return "`measure` should walk: by tk.runtime.states, rollout or step."
+        found.append(float(number))
+    mine, again, floor = found
     if mine != again:
         return "the second measurement gives another number: fix the seed."
     if not (math.isfinite(mine) and math.isfinite(floor)):
         return "a number is not finite."
-    if floor == other:
-        return "Neutral and Zombie get the same number: measure their walks, too."
     if not mine > floor + 0.05 * abs(floor):
         return "the floor has as much: then nothing is wrong with your style."
     return ""
@@ -271,6 +280,6 @@ EXERCISES = {
         _finding,
         "could somebody else measure it again, and what would a floor have there?",
         "`what`: a sentence; `unit`: such as \"mm\"; `measure`: a function of a style's name that "
-        "returns a number.",
+        "walks in it and returns a number.",
     ),
 }

@@ -1,13 +1,12 @@
 """Exercises of the notebooks on phases and of the laboratory of their sources."""
 
 import math
-import sys
 from functools import cache, partial
 
 import numpy as np
 import pandas as pd
 import torch
-from course.checks import NOTHING, Exercise, Judge, draws, same_as, shows
+from course.checks import NOTHING, Exercise, Judge, draws, same_as, shows, traced
 from course.laboratory import trial
 from torch.nn import functional
 
@@ -56,27 +55,17 @@ def _error(found, true):
     return _wrapped(found - true - torch.exp(1j * (found - true)).mean().angle()).abs().mean()
 
 
-def _traced(answer, clip, limb):
-    """What a source returns, and which source or rule of the library it has used, or ""."""
-    used = []
-
-    def note(frame, event, _):
-        code = frame.f_code
-        if code is contacts.detect.__code__ or (
-                code.co_filename == sources.__file__ and code.co_name == "__call__"):
-            used.append(code.co_qualname.removesuffix(".__call__"))
-
-    before = sys.getprofile()
-    sys.setprofile(note)
-    try:
-        return answer(clip, limb), next(iter(used), "")
-    finally:
-        sys.setprofile(before)
+def _used(code) -> str:
+    """The source or the rule of the library that some code is, or ""."""
+    source = code.co_filename == sources.__file__ and code.co_name == "__call__"
+    return code.co_qualname.removesuffix(".__call__") if (
+        source or code is contacts.detect.__code__) else ""
 
 
 def _beats_contact_free(part: str, cases: list[tuple[str, str]], share: float, **options) -> Judge:
     """A judge of a source: its mean error over hands or feet, over `SEEDS`, must be less than a
-    share of contact-free's; and in Neutral both limbs must alternate.
+    share of contact-free's; and the limbs must alternate in Neutral, hands swing together in
+    PendulumHands.
 
     A lag is subtracted from each limb's error, so the error does not see a wrong sign.
     """
@@ -84,18 +73,21 @@ def _beats_contact_free(part: str, cases: list[tuple[str, str]], share: float, *
     def judge(answer) -> str:
         if not callable(answer):
             return f"a function is needed, not {type(answer).__name__}."
-        clip, truth = procedural.truth("Neutral", "FW", 10.0)
-        curve, used = _traced(answer, clip, "left_" + part.replace("hands", "hand").replace(
-            "feet", "foot"))
-        if curve is ...:
-            return NOTHING
-        if used:
-            return f"it uses {used} of the library: write one of your own."
         limbs = slice(0, 2) if part == "hands" else slice(2, 4)
-        mine = tk.phases.extract(clip, answer).phase[60:-60, limbs] - truth.phase[60:-60, limbs]
-        lags = torch.exp(1j * mine.double()).mean(0).angle()
-        if abs(_wrapped(lags[0] - lags[1])) > 1:
-            return f"in Neutral both {part} should alternate; yours do not."
+        for style, do in (("PendulumHands", "swing together"), ("Neutral", "alternate")):
+            if style != "Neutral" and part == "feet":
+                continue
+            clip, truth = procedural.truth(style, "FW", 10.0)
+            for limb in tk.phases.LIMBS[limbs]:
+                curve, used = traced(answer, clip, limb, note=_used)
+                if curve is ...:
+                    return NOTHING
+                if used:
+                    return f"it uses {used[0]} of the library: write one of your own."
+            mine = tk.phases.extract(clip, answer).phase[60:-60, limbs] - truth.phase[60:-60, limbs]
+            lags = torch.exp(1j * mine.double()).mean(0).angle()
+            if abs(_wrapped(lags[0] - lags[1])) > 1:
+                return f"in {style} both {part} should {do}; yours do not."
         if part == "feet" and lags[0].sin() < 0:
             return "the curve is upside down: it should be high while the foot stands."
         if not curve.std() > 0:
@@ -173,6 +165,7 @@ EXERCISES = {
             "hands", [("Drunk", "FW"), ("Zombie", "FW")], 0.8, seconds=12.0, stagger=1.2
         ),
         "which other limbs swing at the same frequency, and are disturbed in another way?",
-        "add the scores of the other limbs, those that swing against this hand with a minus.",
+        "add the scores of the other limbs, those that swing against this hand with a minus; their "
+        "product with this hand's tells which.",
     ),
 }
