@@ -81,6 +81,8 @@ class Body(NamedTuple):
     chains: np.ndarray
     # [A, 2] arm joints and the points at their bones' other ends, from the body outwards
     arms: np.ndarray
+    soft: float  # `toolkit.motion.ik.SOFT` and `STRAIGHT`
+    straight: float
 
     @classmethod
     def of(cls, skeleton) -> "Body":
@@ -97,4 +99,6 @@ class Body(NamedTuple):
             legs=np.array(legs).T.copy(),
             chains=np.array(ik.leg_chain(skeleton)),
             arms=np.array(arms),
+            soft=ik.SOFT,
+            straight=ik.STRAIGHT,
         )

@@ -11,7 +11,6 @@ from numba import njit
 
 from toolkit.features.layout import CHANNELS
 from toolkit.io.compilation import compiled
-from toolkit.motion.ik import SOFT, STRAIGHT
 
 #: Columns of the twelve of a joint.
 POSITION, FORWARD = 3 * CHANNELS.index("position"), 3 * CHANNELS.index("forward")
@@ -141,7 +140,7 @@ def from_forward_up(forward, up):
 
 
 @njit
-def _two_bone(a, b, c, target, left, soft=SOFT):
+def _two_bone(body, a, b, c, target, left, soft):
     upper_bone, lower_bone, reach = plus(b, a, -1.0), plus(c, b, -1.0), plus(target, a, -1.0)
     upper, lower = math.sqrt(dot(upper_bone, upper_bone)), math.sqrt(dot(lower_bone, lower_bone))
     wanted = math.sqrt(dot(reach, reach))
@@ -156,7 +155,7 @@ def _two_bone(a, b, c, target, left, soft=SOFT):
     # A knee that bends backwards is mirrored to the front; that of a straight leg goes there.
     front = _cross(line, unit(left))
     across = plus(across, front, -2 * min(dot(across, front), 0.0))
-    across = plus(across, front, max(STRAIGHT - math.sqrt(dot(across, across)), 0.0))
+    across = plus(across, front, max(body.straight - math.sqrt(dot(across, across)), 0.0))
     across = unit(across) if math.sqrt(dot(across, across)) > 1e-5 else _across(line)
     along = (upper * upper - lower * lower + distance * distance) / (2 * distance)
     height = math.sqrt(max(upper * upper - along * along, 0.0))
@@ -209,7 +208,7 @@ def _plant_feet(body, turned, places, toes):
         hip, knee, foot, toe = body.legs[side]
         a, b, c = triple(places[hip]), triple(places[knee]), triple(places[foot])
         target = plus(plus(triple(toes[side]), triple(places[toe]), -1.0), c)
-        middle, end = _two_bone(a, b, c, target, left)
+        middle, end = _two_bone(body, a, b, c, target, left, body.soft)
         upper = _between(plus(b, a, -1.0), plus(middle, a, -1.0))
         lower = _between(plus(c, b, -1.0), plus(end, middle, -1.0))
         _write(turned, hip, multiply(upper, _read(turned, hip)))
@@ -292,10 +291,11 @@ def plant(body, rules, toes, root, contacts, old_drop, new_drop, swivel, joints)
         held = min(2 * np.float64(contacts[side]), 1.0)
         if held < 1.0:
             soft = rules.swing + held * (rules.soft - rules.swing)
-            _, target = _two_bone(plus(a, down), plus(b, down), plus(c, down), target, left, soft)
+            below = plus(a, down), plus(b, down), plus(c, down)
+            _, target = _two_bone(body, *below, target, left, soft)
             there = to_world((sin / length, cos / length), plus(target, sole))
             put(toes[side], plus(there, floor))
-        middle, end = _two_bone(a, b, c, target, left, rules.soft)
+        middle, end = _two_bone(body, a, b, c, target, left, rules.soft)
         for point, place in ((knee, middle), (foot, end), (toe, plus(end, sole))):
             put(joints[12 * body.own[point] :], place)
 

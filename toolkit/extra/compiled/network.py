@@ -120,7 +120,7 @@ def gate(x, phases, gating, gates, scaled):
 
 
 @compiled(fastmath=FAST)
-def modulate(y, style, layer, gates, scaled):
+def modulate(y, style, layer, epsilon, gates, scaled):
     """ELU(γ ∘ LN(y) + β), which changes ``y [B, hidden]``, and the next layer's inputs.
 
     ``style [B or 1, 4 hidden]`` holds γ and β of layers 0 and 1: `toolkit.networks.film.Film`.
@@ -134,7 +134,7 @@ def modulate(y, style, layer, gates, scaled):
         mean /= np.float32(size)
         for i in range(size):
             square += (h[i] - mean) * (h[i] - mean)
-        scale = _ONE / (np.sqrt(square / np.float32(size - 1)) + _EPSILON)
+        scale = _ONE / (np.sqrt(square / np.float32(size - 1)) + epsilon)
         for i in range(size):
             value = vector[i] * ((h[i] - mean) * scale) + vector[size + i]
             h[i] = value if value > _ZERO else math.exp(value) - _ONE
@@ -155,6 +155,6 @@ def predict(x, phases, style, weights, z):
         gate(x[some], phases[some], weights.gating, gates, scaled[0].numpy())
         for layer in range(2):
             y = torch.mm(scaled[layer], weights.experts[layer].T)
-            modulate(y.numpy(), vectors, layer, gates, scaled[layer + 1].numpy())
+            modulate(y.numpy(), vectors, layer, _EPSILON, gates, scaled[layer + 1].numpy())
         y = torch.mm(scaled[2], weights.experts[2].T)
         torch.add(y, weights.mean, out=torch.from_numpy(z[some]))
