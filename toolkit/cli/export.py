@@ -53,7 +53,7 @@ def clip(
     saving.check(out, saving.suffixes(), source, character, skeleton)
     motion = motion_files.read(source, unit, up, roles, animation)
     if skeleton is not None:
-        retargeting = registry.find("motion.retargeting")
+        retargeting = registry.find("toolkit.motion.retargeting")
         before, motion = motion, retargeting.retarget(motion, target(skeleton))
         say(retargeting.report(before, motion))
     saving.save(motion, out, title=source.stem, progress=True, character=character)

@@ -121,7 +121,7 @@ def fitted(clip: Clip, network: Predictor, bank: StyleBank) -> Clip:
         clip = clip.without_ends()
     if (clip.skeleton.names, clip.skeleton.parents) == (skeleton.names, skeleton.parents):
         return clip
-    retargeting = registry.find("motion.retargeting")
+    retargeting = registry.find("toolkit.motion.retargeting")
     # a walk of the model, because the zero rotations of some skeletons are no standing figure
     walk = runtime.rollout(network, runtime.straight(1.0, AXES), bank.vectors.mean(0))
     made = retargeting.retarget(clip, walk)

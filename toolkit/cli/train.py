@@ -72,7 +72,7 @@ def train(
     saving.check(out, ())
     # before the data, so that all processes read them at once; only one of them talks and writes
     first = distributed.start(config.device, config.processes).global_rank == 0
-    store = registry.find("store")
+    store = registry.find("toolkit.features.store")
     if store.is_store(data):
         if root or gaits or mirror or listed or clip_seconds is not None:
             raise ValueError(f"{data}: a store has its own --root, --gaits, --mirror and --listed; "

@@ -118,7 +118,7 @@ def _labelled_clip(take: OwnTake, target: Clip | None) -> tuple[Clip, list[str],
     """The clip of a take, its body joints alone or on a rig; doubts; joints of the file."""
     whole, doubts = read_file(take.path, take.unit, take.up)
     whole = whole.replace(style=take.style, gait=take.gait)
-    rigs = registry.find("motion.retargeting")
+    rigs = registry.find("toolkit.motion.retargeting")
     clip = rigs.pruned(whole) if target is None else rigs.retarget(whole, target)
     return clip, doubts, len(whole.skeleton)
 
