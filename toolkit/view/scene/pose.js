@@ -127,8 +127,8 @@ function uncross(legs, left, contacts, rules) {
 // Foot lock and foot IK (runtime/frame.py's planted): sets toes, drift, drop and swivel, and knees, feet and toes of the pose.
 export function plant(next, before, body, rules) {
   const { history, joints, toes, contacts, drop, swivel } = next;
-  footLock(before, next, body.legs.map(([, , , toe], side) => {
-    const feet = [before, next].map((state) => footOf(state, side, rules)), sole = body.offsets[toe];
+  footLock(before, next, body.legs.map(([, , ankle, toe], side) => {
+    const feet = [before, next].map((state) => footOf(state, side, rules)), sole = toe === ankle ? [0, 0, 0] : body.offsets[toe]; // without toes, the foot has both roles
     swivel[side] = holdFoot(before, next, side, rules, feet);
     return rotate(feet[1], sole)[1] - sole[1];
   }), rules);
