@@ -79,8 +79,9 @@ def where(name: str) -> str:
 
 def may_mirror(name: str, root: Root = None) -> Callable[[Clip | Take], bool]:
     """Which clips may be mirrored: all but idling and styles that are known to be asymmetric."""
-    styles = style100.styles(root) if name == "100style" else \
-        procedural.STYLES if name == "procedural" else {}
+    styles = procedural.STYLES if name == "procedural" else {}
+    if name == "100style":
+        styles = style100.styles(root)
 
     def may(clip: Clip | Take) -> bool:
         return clip.gait != "ID" and (clip.style not in styles or styles[clip.style].symmetric)

@@ -73,10 +73,10 @@ def _beats_contact_free(part: str, cases: list[tuple[str, str]], share: float, *
     def judge(answer) -> str:
         if not callable(answer):
             return f"a function is needed, not {type(answer).__name__}."
-        limbs = slice(0, 2) if part == "hands" else slice(2, 4)
-        for style, do in (("PendulumHands", "swing together"), ("Neutral", "alternate")):
-            if style != "Neutral" and part == "feet":
-                continue
+        limbs, styles = slice(2, 4), {"Neutral": "alternate"}
+        if part == "hands":
+            limbs, styles = slice(0, 2), {"PendulumHands": "swing together"} | styles
+        for style, do in styles.items():
             clip, truth = procedural.truth(style, "FW", 10.0)
             for limb in tk.phases.LIMBS[limbs]:
                 curve, used = traced(answer, clip, limb, note=_used)
