@@ -18,7 +18,7 @@ from toolkit.runtime import rules
 from toolkit.runtime.frame import CharacterState, pose, start, step
 from toolkit.runtime.steering import Command
 
-KERNELS = (frame.steer, network.gate, network.modulate, frame.after_network, ik.pose)
+KERNELS = (frame.steer, network.gate, network.modulate, network.scale, frame.after_network, ik.pose)
 READ, MADE = 120, 1500  # least frames for which kernels are read, and are compiled, by `quick`
 Pair = tuple[float, float]
 Ask = Callable[[int, Pair], tuple[Sequence[float], Sequence[float], Tensor]]  # see `roll`
@@ -50,7 +50,7 @@ class CompiledModel:
 
         # shapes of the parts of a state, one row a character
         state = start(self, torch.zeros(1, self.style_size))
-        self._shapes = {part: getattr(state, part).shape[1:] for part in frame.State._fields}
+        self._shapes = {part: tuple(getattr(state, part).shape[1:]) for part in frame.State._fields}
 
         known, began = self._misses(), time.perf_counter()
         self.pose(self.step(state, Command()))
@@ -70,7 +70,7 @@ class CompiledModel:
     def step(self, state: CharacterState, command: Command) -> CharacterState:
         """`toolkit.runtime.step`."""
         count = len(state.history)
-        old = frame.State(*(self._array(state, name) for name in frame.State._fields))
+        old = frame.State(*self._arrays(state, frame.State._fields))
         new = frame.State(*map(np.empty_like, old[:-1]), old.style)
         wanted, look = _pairs(command.velocity, count), _pairs(command.facing, count)
         self._advance(old, new, wanted, look, *self._room(count))
@@ -101,9 +101,10 @@ class CompiledModel:
                              f"{len(state.history)} and {frames}")
         # row 0 is the given state, row k the state after k steps
         rows = {}
-        for name in frame.State._fields[:-1]:
+        parts = frame.State._fields[:-1]
+        for name, first in zip(parts, self._arrays(state, parts), strict=True):
             rows[name] = np.empty((frames + 1, 1, *self._shapes[name]), np.float32)
-            rows[name][0] = self._array(state, name)
+            rows[name][0] = first
         wanted, look = np.empty((1, 2), np.float32), np.empty((1, 2), np.float32)
         x, z = self._room(1)
         for k in range(frames):
@@ -123,8 +124,7 @@ class CompiledModel:
              arms: bool = True) -> tuple[Tensor, Tensor]:
         """`toolkit.runtime.pose`."""
         count = len(state.history)
-        parts = "history", "joints", "toes", "drop", "swivel"
-        given = [self._array(state, name) for name in parts]
+        given = self._arrays(state, ("history", "joints", "toes", "drop", "swivel"))
         rotations = np.empty((count, len(self.layout.skeleton), 4), np.float32)
         roots = np.empty((count, 3), np.float32)
         ik.pose(*given, self._body, bool(feet), bool(arms), rotations, roots)
@@ -141,19 +141,23 @@ class CompiledModel:
         return (np.empty((count, self.layout.n_inputs), np.float32),
                 np.empty((count, self.layout.n_outputs), np.float32))
 
-    def _array(self, state: CharacterState, name: str) -> np.ndarray:
-        """A part of a state for the kernels. They do not check bounds, so shapes are checked."""
-        tensor = getattr(state, name).detach()
-        if name == "style" and not tensor.stride(0):  # one style for all: not copied for each
-            tensor = tensor[:1]
-        # shapes are numpy's, as asking torch for those of 15 parts takes as long as a kernel
-        array = np.ascontiguousarray(tensor.numpy(), np.float32)
-        count, shape = state.history.shape[0], self._shapes[name]
-        counts = (1, count) if name == "style" else (count,)
-        if array.shape[1:] != shape or len(array) not in counts:
-            raise ValueError(f"{name} needs {' x '.join(map(str, shape))} columns and a row for "
-                             f"each of {count} characters, got shape {list(array.shape)}")
-        return array
+    def _arrays(self, state: CharacterState, parts: Sequence[str]) -> list[np.ndarray]:
+        """Parts of a state for the kernels. They do not check bounds, so shapes are checked."""
+        arrays, count = [], len(state.history)
+        for name in parts:
+            tensor, shape = getattr(state, name), self._shapes[name]
+            if name == "style" and not tensor.stride(0):  # one style for all: not copied for each
+                tensor = tensor[:1]
+            if tensor.requires_grad:
+                tensor = tensor.detach()
+            array = np.ascontiguousarray(tensor.numpy(), np.float32)
+            # shapes are numpy's, as asking torch takes longer
+            rows, *columns = array.shape
+            if tuple(columns) != shape or (rows != count and (name, rows) != ("style", 1)):
+                raise ValueError(f"{name} needs {' x '.join(map(str, shape))} columns and a row "
+                                 f"for each of {count} characters, got shape {list(array.shape)}")
+            arrays.append(array)
+        return arrays
 
     @staticmethod
     def _misses() -> int:

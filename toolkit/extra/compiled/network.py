@@ -5,9 +5,9 @@ The parts are those of `toolkit.networks.Model.predict`: normalisers, gating, ex
 A layer blends K experts: y = Σ αₖ (x Wₖ + bₖ). Blending the weights of each character would read
 all of them for each. Instead the inputs are written K times in a row, each time multiplied by the
 gate αₖ, with αₖ itself behind them for the bias. Then the layer of all characters is one product
-with the weights of all experts, K (in + 1) long. torch computes it: its product uses the widest
-vectors of the processor, is as fast as memory for one character, and as arithmetic for many. What
-lies between the products, numba compiles.
+with the weights of all experts, K (in + 1) long. torch computes it: `torch.mm` is as fast as memory
+for one character; for many, oneDNN uses the widest vectors of any processor, where `torch.mm` (MKL)
+does so on Intel's only. What lies between the products, numba compiles.
 """
 
 import math
@@ -16,12 +16,14 @@ from typing import NamedTuple
 import numpy as np
 import torch
 from numba import njit
+from torch.nn import functional
 
 from toolkit.features import FRAME_KINDS
 from toolkit.io.compilation import compiled
 from toolkit.networks.film import EPSILON
 
 BATCH = 128  # number of characters whose inputs fit in the cache
+MANY = 8  # least number of characters for which oneDNN is faster
 FAST = {"reassoc", "nsz", "contract"}  # sums in any order, so that they can be vectors
 _ZERO, _ONE, _EPSILON = np.float32(0.0), np.float32(1.0), np.float32(EPSILON)
 
@@ -40,6 +42,7 @@ class Weights(NamedTuple):
 
     gating: Gating
     experts: tuple  # of three layers [out, K (in + 1)]; the last one's are times the deviation
+    many: tuple  # the same for oneDNN, where torch has it
     mean: torch.Tensor  # of outputs
 
     @classmethod
@@ -54,7 +57,9 @@ class Weights(NamedTuple):
             weights=tuple(_array(layer.weight.T) for layer in linear),
             biases=tuple(_array(layer.bias) for layer in linear),
         )
-        return cls(gating, tuple(experts), outputs.mean.detach().clone())
+        known = torch.backends.mkldnn.is_available()
+        many = tuple(map(torch.Tensor.to_mkldnn, experts)) if known else ()
+        return cls(gating, tuple(experts), many, outputs.mean.detach().clone())
 
     @property
     def bytes(self) -> int:
@@ -120,8 +125,8 @@ def gate(x, phases, gating, gates, scaled):
 
 
 @compiled(fastmath=FAST)
-def modulate(y, style, layer, epsilon, gates, scaled):
-    """ELU(γ ∘ LN(y) + β), which changes ``y [B, hidden]``, and the next layer's inputs.
+def modulate(y, style, layer, epsilon):
+    """γ ∘ LN(y) + β, in place of ``y [B, hidden]``.
 
     ``style [B or 1, 4 hidden]`` holds γ and β of layers 0 and 1: `toolkit.networks.film.Film`.
     """
@@ -136,9 +141,21 @@ def modulate(y, style, layer, epsilon, gates, scaled):
             square += (h[i] - mean) * (h[i] - mean)
         scale = _ONE / (np.sqrt(square / np.float32(size - 1)) + epsilon)
         for i in range(size):
-            value = vector[i] * ((h[i] - mean) * scale) + vector[size + i]
-            h[i] = value if value > _ZERO else math.exp(value) - _ONE
-        _scale(h, gates[b], scaled[b])
+            h[i] = vector[i] * ((h[i] - mean) * scale) + vector[size + i]
+
+
+@compiled()
+def scale(h, gates, scaled):
+    """Fill a layer's inputs ``scaled [B, K (in + 1)]`` from ``h [B, in]``."""
+    for b in range(len(h)):
+        _scale(h[b], gates[b], scaled[b])
+
+
+def _product(inputs, layer, weights):
+    """A layer of all characters: ``[B, K (in + 1)]`` to ``[B, out]``."""
+    if len(inputs) < MANY or not weights.many:
+        return torch.mm(inputs, weights.experts[layer].T)
+    return functional.linear(inputs.to_mkldnn(), weights.many[layer]).to_dense()
 
 
 def predict(x, phases, style, weights, z):
@@ -154,7 +171,9 @@ def predict(x, phases, style, weights, z):
         scaled = [torch.empty(count, weight.shape[1]) for weight in weights.experts]
         gate(x[some], phases[some], weights.gating, gates, scaled[0].numpy())
         for layer in range(2):
-            y = torch.mm(scaled[layer], weights.experts[layer].T)
-            modulate(y.numpy(), vectors, layer, _EPSILON, gates, scaled[layer + 1].numpy())
-        y = torch.mm(scaled[2], weights.experts[2].T)
+            y = _product(scaled[layer], layer, weights)
+            modulate(y.numpy(), vectors, layer, _EPSILON)
+            functional.elu(y, inplace=True)  # exponentials as vectors, which numba has not
+            scale(y.numpy(), gates, scaled[layer + 1].numpy())
+        y = _product(scaled[2], 2, weights)
         torch.add(y, weights.mean, out=torch.from_numpy(z[some]))
