@@ -151,7 +151,7 @@ def equals(right: Any, wrong: Mapping[str, Any] | None = None, tolerance: float 
         if not (difference := differs(answer, right, tolerance)):
             return ""
         known = (text for text, x in (wrong or {}).items() if not differs(answer, x, tolerance))
-        return next(known, f"{difference}.")
+        return f"{next(known, difference)}."
 
     return judge
 

@@ -66,7 +66,7 @@ def seven() -> Page:
     """
     gates = {"PFNN": "one phase φ → spline", "MANN": "velocities → Ω", "LPN": "phases p → Ω"}
     kinds = {"one-hot": ("+ Σ αs", ""), "adapter": ("", "+ h A + b"),
-             "FiLM": ("γ · LN + β",) * 2}
+             "FiLM": ("γ LN + β",) * 2}
     drawn = []
     for row, (network, gate) in enumerate(gates.items()):
         for column, (kind, marks) in enumerate(kinds.items()):

@@ -138,7 +138,7 @@ RIGHT["07.3"] = [
         lambda r: np.mean(r[1]) - np.mean(r[0]) > max(np.std(r[0], ddof=1), np.std(r[1], ddof=1))
     )(sorted(e.tolist(), key=np.mean)),
 ]
-RIGHT["08a.1"] = [['cyc', 'id']]
+RIGHT["08a.1"] = [['cyc', 'id'], ['id', 'cyc'], ('id', 'cyc'), {'id', 'cyc'}]
 WRONG["08a.1"] = [set(), {'cyc'}, {'id'}]
 RIGHT["08a.2"] = [
     [(x, y / 10) for x, y in zip((.9, .1, .8, .2, .5, .5, .2, .8, .1, .9), range(5, 15))],
@@ -147,7 +147,7 @@ WRONG["08a.2"] = [
     torch.tensor([[0., 1]] * 10), [[k / 10 - .5, .5 + k / 10] for k in range(10)],
     [[.5 - k / 10, .5 + k / 10] for k in range(10)], [[0, .5 + k / 10] for k in range(10)],
 ]
-RIGHT["08a.3"] = [dict(zip('ABC', ('ds', 'adv', 'cyc')))]
+RIGHT["08a.3"] = [dict(zip('ABC', ('ds', 'adv', 'cyc'))), dict(C='cyc', B='adv', A='ds')]
 WRONG["08a.3"] = [
     dict(A='ds', B='adv', C='id'), dict(A='adv', B='ds', C='cyc'), dict(A='sty', B='adv', C='cyc'),
 ]
@@ -182,7 +182,10 @@ RIGHT["10.3"] = [
         math.dist(x[k], goal) <= 0.15 for k in range(len(x)) if abs(k / fps - t) <= 0.2001
     ),
 ]
-RIGHT["11.1"] = [(('Old',) * 10 + ('Zombie',), ('Old',) * 11)]
+RIGHT["11.1"] = [
+    (('Old',) * 10 + ('Zombie',), ('Old',) * 11), [[True] * 19 + [False], [True] * 20],
+    (np.array([2] * 10 + [1]), np.array([2] * 11)), (torch.tensor([0] * 10 + [1]), [0] * 11),
+]
 WRONG["11.1"] = [
     ([0] * 10, [0] * 10), ([0] * 9 + [1], [1] * 10), ([0] * 8 + [1, 1], [0] * 10),
 ]

@@ -17,7 +17,7 @@ def _skate(places, contact, fps):
 
 
 def _toes() -> list[tuple]:
-    contact = torch.tensor([1, 1, 1, 0, 0, 1, 1, 1], dtype=torch.bool)
+    contact = torch.tensor([1, 1, 1, 0, 1, 0, 1, 1], dtype=torch.bool)
     return [(draws(12, (8, 2))[0].cumsum(0), contact, fps) for fps in (60.0, 30.0)]
 
 
@@ -53,9 +53,12 @@ def _arrives(places, goal, time, fps, seconds=0.2):
 def _walks() -> list[tuple]:
     along = torch.stack((torch.zeros(181), torch.arange(181) / 60), 1)
     goal, aside = torch.tensor([0.0, 2.0]), torch.tensor([0.3, 0.0])
+    first, late = along.new_zeros(2, 181, 2)  # at the goal in one frame only
+    first[0] = late[73] = goal
     return [(along, goal, time, 60.0) for time in (2.0, 2.3, 1.6, 0.0, 2.05 + 0.3)] + [
         (along + goal, goal, 0.1, 60.0), (along + aside, goal, 2.0, 60.0),
         (along, torch.tensor([0.0, 2.14]), 1.8, 60.0),  # only the last frame comes near enough
+        (first, goal, 0.1, 60.0), (late, goal, 1.0, 60.0), (along, goal + aside / 6, 2.0, 60.0),
     ]
 
 
@@ -65,8 +68,12 @@ def _result(errors, repeat, mean, better=min, half=2.0) -> dict:
     return {"gain": gain, "spread": spread, "clear": bool(gain > spread)}
 
 
+def _kinds(values) -> set:
+    return {x.item() if isinstance(x, torch.Tensor) else x for x in values}
+
+
 def _useless(labels, answers) -> bool:
-    return len(set(answers)) == 1
+    return len(_kinds(answers)) == 1
 
 
 def _interval(scores, draws):
@@ -123,15 +130,15 @@ def _finding(answer) -> str:
     if not callable(answer["measure"]):
         return "`measure` should be a function: somebody else must be able to run it again."
     found = []
-    for name in ("Mine", "Mine", "Neutral"):
+    for name in ("Mine", "Mine", "Neutral", "Zombie"):
         number, walked = traced(answer["measure"], name, note=_of_runtime)
         if not walked:
             return "`measure` should walk: by tk.runtime.states, rollout or step."
         found.append(float(number))
-    mine, again, floor = found
+    mine, again, floor, other = found
     if mine != again:
         return "the second measurement gives another number: fix the seed."
-    if not (math.isfinite(mine) and math.isfinite(floor)):
+    if not all(map(math.isfinite, (mine, floor, other))):
         return "a number is not finite."
     if not mine > floor + 0.05 * abs(floor):
         return "the floor has as much: then nothing is wrong with your style."
@@ -217,7 +224,7 @@ EXERCISES = {
             ("less than 90 % of the answers are right", lambda labels, answers: sum(
                 a == b for a, b in zip(labels, answers, strict=True)) >= 0.9 * len(labels)),
             ("there is only one style: no judge is needed",
-             lambda labels, answers: len(set(labels)) > 1),
+             lambda labels, answers: len(_kinds(labels)) > 1),
             ("this judge gives several answers: it may know something", _useless),
             parts=2,
         ),

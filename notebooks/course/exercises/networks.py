@@ -169,9 +169,9 @@ EXERCISES = {
     ),
     "07.2": Exercise(
         equals(8 * (349 + 513) / 4, {
-            "there are eight sets of weights.": (349 + 513) / 4,
-            "this is the count: divide it by that of γ and β.": 8 * (349 + 513) * 512,
-            "layers have biases, too.": 8 * (348 + 512) / 4,
+            "there are eight sets of weights": (349 + 513) / 4,
+            "this is the count: divide it by that of γ and β": 8 * (349 + 513) * 512,
+            "layers have biases, too": 8 * (348 + 512) / 4,
         }),
         "how many weights and biases has one expert, and how many γ and β has a style?",
         "8 × (349 × 512 + 513 × 512), divided by γ and β of two layers of 512 units.",
