@@ -113,12 +113,20 @@ class Desk:
         self.page.evaluate(FRAMES)
 
 
+def alive() -> tuple:
+    """The embedded model and its bank; the style of each shot wanders."""
+    model, bank = tk.pretrained()
+    model = copy.deepcopy(model)
+    model.life = 0.1
+    return model, bank
+
+
 @pytest.fixture(scope="module")
 def file(pages):
     """A page with a short shot, opened by every test here, whose style Aeroplane shakes; the last
     styles have planted names.
     """
-    model, bank = tk.pretrained()
+    model, bank = alive()
     count, names = len(bank), (*bank, *PLANTED)
     at = [*range(count), 0, 0, 0]
     bank = StyleBank(names, bank.vectors[at], bank.speeds[at], [k == "Aeroplane" for k in names])
@@ -140,9 +148,9 @@ def desk(opened):
 
 @pytest.fixture(scope="module")
 def double() -> tuple:
-    model, bank = tk.pretrained()
+    model, bank = alive()
     precise = dataclasses.replace(bank, vectors=bank.vectors.double())
-    return copy.deepcopy(model).double(), precise
+    return model.double(), precise
 
 
 def apart(clip: tk.Clip, other: tk.Clip) -> float:

@@ -24,6 +24,8 @@ def test_a_style_that_wanders_is_smooth_and_repeatable():
     assert alive(style, 0.0) is style
     seen = torch.stack([alive(style, 0.2, seed=3)(frame) for frame in range(4 * PERIOD)])
     assert torch.equal(alive(style, 0.2, seed=3)(77), seen[77])
+    assert torch.equal(seen[..., :125], style[None, :, :125].expand(len(seen), 2, 125))  # γ
+    seen = torch.cat((seen[..., 125:250], seen[..., 375:]), -1)  # β of two layers
     assert float((seen - 1).mean()) == pytest.approx(0.0, abs=0.01)
     assert float((seen - 1).std()) == pytest.approx(0.2, abs=0.01)
     assert (seen[1:] - seen[:-1]).abs().max() < 0.03

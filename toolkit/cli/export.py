@@ -51,14 +51,15 @@ def clip(
 ) -> None:
     """Convert a motion file to glTF (a skinned mannequin), BVH, web page, strip or film."""
     saving.check(out, saving.suffixes(), source, character, skeleton)
+    figure = saving.figure_of(character)  # a file that is no character is refused now
     motion = motion_files.read(source, unit, up, roles, animation)
     if skeleton is not None:
         retargeting = registry.find("toolkit.motion.retargeting")
         before, motion = motion, retargeting.retarget(motion, target(skeleton))
         say(retargeting.report(before, motion))
-    saving.save(motion, out, title=source.stem, progress=True, character=character)
+    saving.save(motion, out, title=source.stem, progress=True, character=figure)
     wrote(out)
-    say(told(motion))
+    say(told(motion if figure is None else figure.fitted(motion)))
 
 
 def wrote(*files: Path) -> None:

@@ -56,7 +56,7 @@ def rollout(
                       stacklevel=2)
     say(f"{len(clip)} frames, {went:.2f} m/s for {speed:.2f} asked, hips {low:.2f} to {high:.2f} m,"
         f" foot skate {skate * 100:.1f} cm/s; wrote {out}")
-    say(told(clip))
+    say(told(clip if figure is None else figure.fitted(clip)))
 
 
 def blend_of(text: str) -> dict[str, float]:

@@ -24,6 +24,7 @@ from toolkit.runtime.steering import MOVES, Command, standing, steer, turn
 FPS = trajectory.FPS
 STANDS = 0.9  # share of standing (`steering.standing`) from which feet stay on the ground
 LANDING = 0.5  # seconds in which the contact of a foot in the air rises to 1 then
+HIGH = 0.08  # metres over the ground: what a toe is higher is not lifted
 LIFTED = 0.1  # metres over the ground: a higher foot stays there, as in hops on one leg
 # Metres (ours): a frame corrects the integrated position of a joint by at most so much. Not of a
 # leg: the published network then glides. With 1 cm, arms lag behind a hop, and HopLeft glides.
@@ -180,12 +181,12 @@ def predicted(model, state: CharacterState, command: Command) -> CharacterState:
     limited[:, legs] = change[:, legs]
     position = position + limited
 
-    # A model may have a factor `lift` on the height of toes in the air.
+    # A model may have a factor `lift` on the height of toes in the air, up to `HIGH`.
     swing = getattr(model, "lift", 1.0) - 1.0
     toes = legs[2::3]
     height = position[:, toes, 1]
     in_the_air = 1.0 - (2 * contacts).clamp_max(1.0)
-    position[:, toes, 1] += swing * in_the_air * (height - ground).clamp_min(0.0)
+    position[:, toes, 1] += swing * in_the_air * (height - ground).clamp(0.0, HIGH)
 
     # A start: pose and phase, as the root, go the share 1 - held of a frame.
     moves = R.length(steered.velocity) > MOVES

@@ -274,7 +274,7 @@ def _joints(was, now, turn, shift, contacts, held, rules, joints):
         share, most = shares[j // 12], limits[j // 12]
         far = share * math.sqrt(ik.dot(change, change))
         position = ik.plus(integrated, change, share * most / max(far, most))
-        swing = lifts[j // 12] * max(position[1] - rules.ground, 0.0)
+        swing = lifts[j // 12] * min(max(position[1] - rules.ground, 0.0), rules.high)
         position = position[0], position[1] + swing, position[2]
         forward, up = ik.triple(now[j + FORWARD :]), ik.triple(now[j + UP :])
         # a start: the pose goes the share 1 - held of a frame

@@ -231,7 +231,7 @@ class Scene:
         more than `WAIT`.
         """
         plans = [shot.plan(bank) for shot in self.shots] if plans is None else plans
-        styles = [shot.style(bank) for shot in self.shots]
+        styles = [shot.style(bank, model.life) for shot in self.shots]
         state, clocks = first(model, self.shots, styles, plans), [0] * len(plans)
         lasts = [len(course.distance) - 1 for course, _ in plans]
         most = max(lasts) if self.apart is None else min(WAITS * max(lasts), round(LONGEST * FPS))

@@ -32,6 +32,7 @@ from toolkit.motion import Clip
 from toolkit.motion.tensors import shown
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime import CharacterState, pose
+from toolkit.runtime.life import alive
 
 VERSION = 1
 
@@ -157,8 +158,8 @@ class Shot:
         return (Course(curve, speeds, arrivals, holds, self.duration),
                 Heading(curve, self.facing, self.look_at, turns))
 
-    def style(self, bank: StyleBank) -> Callable[[int], Tensor]:
-        """The style vector ``[S]`` of every frame."""
+    def style(self, bank: StyleBank, life: float = 0.0) -> Callable[[int], Tensor]:
+        """The style vector ``[S]`` of every frame; it wanders by the model's ``life``."""
         vectors = [bank.blend(*key.layers) for key in self.styles]
         times, easings = [key.time for key in self.styles], [key.easing for key in self.styles]
 
@@ -166,7 +167,7 @@ class Shot:
             a, b, weight = following.between(times, easings, frame / FPS)
             return vectors[a] + weight * (vectors[b] - vectors[a]) if weight else vectors[a]
 
-        return at
+        return alive(at, life, self.seed)
 
     def render(self, model, bank: StyleBank) -> Clip:
         """The motion, 60 frames a second: the same bits every time.
@@ -191,7 +192,7 @@ class Shot:
 
     def _walked(self, model, bank: StyleBank, plan: tuple[Course, Heading]) -> CharacterState:
         """The states of all frames, along the leading axis."""
-        style = self.style(bank)
+        style = self.style(bank, model.life)
 
         def ask(frame: int, place: Pair) -> Asked:
             return *following.command(*plan, frame, place), style(frame)

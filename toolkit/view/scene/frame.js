@@ -171,7 +171,7 @@ function pose(was, z, [sin, cos], [right, ahead], contacts, held, rules, joints)
     const share = shares[j / width];
     const changes = [0, 1, 2].map((i) => share * (z[p + i] - was[at + i] - z[v + i] / rules.fps));
     const most = limits[j / width], slower = most / Math.max(Math.hypot(...changes), most), led = (i) => was[at + i] + z[v + i] / rules.fps + slower * changes[i];
-    const swing = lifts[j / width] * Math.max(led(1) - rules.ground, 0);
+    const swing = lifts[j / width] * Math.min(Math.max(led(1) - rules.ground, 0), rules.high);
     write(at, ...slow(at, [led(0), led(1) + swing, led(2)]));
     write(j + forward, fx, fy, fz);
     write(j + up, over[0], over[1], over[2]);

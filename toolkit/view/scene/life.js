@@ -27,6 +27,7 @@ export class Life {
     const number = Math.floor(frame / this.period), share = frame / this.period - number;
     const angle = (Math.PI / 2) * share * share * (3 - 2 * share), a = Math.cos(angle), b = Math.sin(angle);
     const [here, next] = [this.key(number, style.length), this.key(number + 1, style.length)];
-    return style.map((v, i) => v * (1 + this.amount * (a * here[i] + b * next[i])));
+    const shifts = (i) => Math.floor((4 * i) / style.length) % 2; // FiLM's β, of γ and β of two layers
+    return style.map((v, i) => v * (1 + this.amount * shifts(i) * (a * here[i] + b * next[i])));
   }
 }

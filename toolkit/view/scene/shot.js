@@ -7,6 +7,7 @@
 import { advance, Character } from "./character.js";
 import { between, command, Course, Curve, EASINGS, Heading, keyed, nearest, round } from "./course.js";
 import { copy, stand } from "./frame.js";
+import { Life } from "./life.js";
 import { LIMBS, PARTS, stations } from "./pins.js";
 
 const FAR = 1000, FAST = 20, MANY = 256, LONGEST = 600, SEEDS = 2 ** 31 - 1, EVERY = 30, GOLDEN = (Math.sqrt(5) - 1) / 2;
@@ -272,7 +273,7 @@ export class Take {
     const { course, heading } = this, place = course.curve.point(0), angle = heading.angle(0, place);
     this.count = course.distance.length - 1, this.clock = 0; // frame of the plan: behind those of the character where it waits
     this.styles = keysOf(shot.styles, (key) => vectorOf(key.blend, desk));
-    this.style = new Float64Array(desk.size);
+    this.style = new Float64Array(desk.size), this.life = new Life(desk.data.life.amount, desk.data.life.period, shot.seed);
     character.state = stand(character.first, place, [Math.sin(angle), Math.cos(angle)]);
     character.spare = stand(character.first, place, [Math.sin(angle), Math.cos(angle)]);
     for (const { phase } of [character.state, character.spare]) shifted(phase, 2 * Math.PI * ((shot.seed * GOLDEN) % 1));
@@ -291,9 +292,10 @@ export class Take {
 
   // sets the style of the next frame; returns its command
   ask() {
-    const { clock, styles: { times, easings, values }, style } = this;
+    const { clock, styles: { times, easings, values } } = this, style = new Float64Array(this.style.length);
     const [a, b, weight] = between(times, easings, clock / this.course.rules.FPS);
     for (let i = 0; i < style.length; i++) style[i] = values[a][i] + weight * (values[b][i] - values[a][i]);
+    this.style.set(this.life.at(clock, style));
     return command(this.course, this.heading, clock, this.place);
   }
 
