@@ -181,7 +181,9 @@ def test_the_demo_works_on_a_small_budget(tmp_path, monkeypatch):
 
     monkeypatch.setattr(demo, "SPEED", 20.0)  # the figure of eight in few frames
     monkeypatch.setattr(demo, "GAITS", ["FW", "BW"])
-    assert "toolkitScene" in demo.embedded(tmp_path / "demo").read_text(encoding="utf-8")
+    page = demo.embedded(tmp_path / "demo")
+    for linked in re.findall('href="(.+?)"', page.read_text(encoding="utf-8")):
+        assert "toolkitScene" in (page.parent / linked).read_text(encoding="utf-8")
     files = demo.make(tmp_path / "demo", seconds=0.5, data_seconds=5.0)
     assert [f.name for f in files] == ["walk.bvh", "walk.html", "report.txt", "model.safetensors",
                                        "controller.html"]

@@ -17,10 +17,19 @@ from toolkit.io.files import write_whole
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime import FPS
 from toolkit.styles.transitions import transition
+from toolkit.training.run import RECORDED
 
 STYLES = ("Neutral", "Zombie", "Aeroplane")
 GAITS = ("FW", "BW", "SW", "TR1")
 SPEED = 1.0  # metres per second
+#: A page that shows one of several others.
+SWITCH = """<!doctype html>
+<meta charset="utf-8">
+<title>The embedded models</title>
+<body style="margin: 0; height: 100vh; display: flex; flex-direction: column">
+<p style="margin: 8px">The model was trained on motion that is: {links}</p>
+<iframe name="model" src="{first}" onload="this.focus()" style="flex: 1; border: 0"></iframe>
+"""
 NAMES = ("walk.bvh", "walk.html", "report.txt", "model.safetensors", "controller.html")
 
 
@@ -36,11 +45,19 @@ def blend_weights(frames: int) -> torch.Tensor:
 
 
 def embedded(folder: Path) -> Path:
-    """Write the page that steers the embedded model."""
+    """Write the page that steers the embedded models: of procedural motion and, in a checkout, of
+    recorded people.
+    """
     from toolkit import view
 
-    title = "The embedded model under your control"
-    return view.web(*training.pretrained(), folder / "embedded.html", title=title, half=True)
+    names = ["procedural", *["recorded"] * RECORDED.exists()]
+    pages = [view.web(*training.pretrained(name), folder / f"{name}.html", half=True,
+                      title=f"The {name} model under your control") for name in names]
+    links = " or ".join(f'<a href="{page.name}" target="model">{name}</a>'
+                        for name, page in zip(names, pages, strict=True))
+    made = folder / "embedded.html"
+    write_whole(made, SWITCH.format(links=links, first=pages[-1].name).encode())
+    return made
 
 
 def make(folder: Path, seconds: float = 35.0, *, data_seconds: float = 60.0, seed: int = 0,
@@ -112,7 +129,7 @@ def demo(
 ) -> None:
     """Make something to look at: a small model is trained, and walks through three styles."""
     page = embedded(out)
-    say(f"Open {page} in a browser: the embedded model walks there.\nMeanwhile motion is generated "
+    say(f"Open {page} in a browser: the embedded models walk there.\nMeanwhile motion is generated "
         f"(a minute), and a small model learns it for {60 * minutes:g} s.")
     files = make(out, 60 * minutes, seed=seed, progress=True)
     say(files[2].read_text(encoding="utf-8"))

@@ -51,8 +51,8 @@ def available() -> bool:
     return home.folder(DATASET).is_dir()
 
 
-LIFE = 0.3  # ours: with it, upper bodies move about as slowly and as far as in recorded takes
-LIFT = 1.25  # ours: without it, the feet of the published network swing a third too low
+LIFE = 0.25  # ours: with it, upper bodies move about as slowly and as far as in recorded takes
+LIFT = 1.2  # ours: without it, the feet of the published network swing a third too low
 
 
 def load(folder: str | os.PathLike | None = None, *, calibrated: bool = False) -> run.Run:

@@ -26,7 +26,8 @@ from toolkit.view.pages import page
 from toolkit.view.render import mannequin as body
 from toolkit.view.render.skin import Character, Figure, encoded
 
-CORNERS = "Neutral", "Zombie", "Aeroplane"  # styles that differ, if the bank has them
+#: Styles that differ, if the bank has them: of the procedural and the published model, or recorded.
+CORNERS = "Neutral", "Zombie", "Aeroplane", "normal", "old", "musical"
 VERTICES = 900  # of each body in a crowd
 PANEL = 8  # outputs whose weights are stored together, see ``scene/network.js``
 TURN = 2.0  # radians per second while a turn key is held
