@@ -123,7 +123,7 @@ def alive() -> tuple:
 
 @pytest.fixture(scope="module")
 def file(pages):
-    """A page with a short shot, opened by every test here, whose style Aeroplane shakes; the last
+    """A page with a short shot, opened by every test here, whose style Aeroplane is marked; the last
     styles have planted names.
     """
     model, bank = alive()
@@ -280,7 +280,7 @@ def test_styles_speeds_and_pauses_are_keyed(desk):
     keys = [(key.time, key.blend) for key in desk.shots[0].styles]
     assert keys == [(0, {"Zombie": 1}), (0.6, {"Old": 1})]
     shown = page.get_by_label("Style 1", exact=True).locator("option").all_text_contents()
-    assert [name for name in shown if "shakes" in name] == ["Aeroplane (shakes)"]
+    assert [name for name in shown if "broken" in name] == ["Aeroplane (broken)"]
     desk.press("Add a style to this blend")
     page.locator(".tkd-mix input").first.fill("75")
     assert desk.shots[0].styles[1].blend["Old"] == pytest.approx(0.75)

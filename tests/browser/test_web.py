@@ -47,11 +47,11 @@ def test_a_thumb_on_a_phone_walks_before_a_crowd_that_looks_the_same_drawn_by_ei
     """On the processor, as this browser draws, and instanced on the GPU; of planted names."""
     model, bank = tk.pretrained()
     bank = dataclasses.replace(bank.select(["Neutral", "Zombie", "Old"]), names=PLANTED,
-                               shakes=[False, True, False])
+                               broken=[False, True, False])
     page = drawn(visit(tk.view.web(model, bank, pages / "crowd.html", title=COMMENT, characters=4,
                                    half=True), "phone"))
     shown = page.locator(".tkc-menus select").first.locator("option").all_text_contents()
-    assert sorted(shown) == sorted([IMAGE, f"{SCRIPT} (shakes)", COMMENT])
+    assert sorted(shown) == sorted([IMAGE, f"{SCRIPT} (broken)", COMMENT])
     send = touches(page)
     stick, before = page.locator(".tkc-stick"), page.evaluate(ROOT)
     send("touchStart", middle(stick))

@@ -67,13 +67,13 @@ def test_banks_merge():
 
 
 def test_styles_that_shake_stay_marked(tmp_path):
-    bank = StyleBank(("a", "b"), torch.eye(2), shakes=torch.tensor([False, True]))
+    bank = StyleBank(("a", "b"), torch.eye(2), broken=torch.tensor([False, True]))
     bank.select(["b", "a"]).save(tmp_path / "bank.safetensors")
     again = StyleBank(("c",), torch.ones(1, 2)).merge(StyleBank.load(tmp_path / "bank.safetensors"))
-    assert again.labels() == {"c": "c", "b": "b (shakes)", "a": "a"}
+    assert again.labels() == {"c": "c", "b": "b (broken)", "a": "a"}
     assert torch.equal(again["b"], bank["b"])
     with refusal(r"2 styles need marks \[2\], got \[1\]"):
-        StyleBank(("a", "b"), torch.eye(2), shakes=torch.tensor([True]))
+        StyleBank(("a", "b"), torch.eye(2), broken=torch.tensor([True]))
 
 
 def test_nearest_counts_distances():
@@ -207,9 +207,9 @@ def test_the_choice_of_a_vector_leaves_the_others_and_all_marks(crouch):
     model, bank = tk.pretrained()
     made = tk.styles.fine_tune(model, crouch, "Mine", bank, steps=5)
     assert made.method == "vector"
-    marked = dataclasses.replace(made.bank, shakes=torch.ones(len(made.bank)))
+    marked = dataclasses.replace(made.bank, broken=torch.ones(len(made.bank)))
     chosen, _ = tk.styles.choose(dataclasses.replace(made, bank=marked), crouch, rounds=1)
-    assert chosen.shakes.all()
+    assert chosen.broken.all()
     assert torch.equal(chosen.vectors[:-1], bank.vectors)
 
 

@@ -51,8 +51,8 @@ def test_blender_makes_the_motion_of_its_weights(clip):
             blender.weights = wrong
         with refusal(message):
             StyleBlender(bank("A", "B", "C", "Neutral"), make, weights=wrong)
-    marked = dataclasses.replace(bank("A", "B", "C"), shakes=torch.tensor([False, True, False]))
-    assert StyleBlender(marked, make)._menus[0].options[1] == ("B (shakes)", "B")
+    marked = dataclasses.replace(bank("A", "B", "C"), broken=torch.tensor([False, True, False]))
+    assert StyleBlender(marked, make)._menus[0].options[1] == ("B (broken)", "B")
     gc.collect()  # a refused blender is closed without an error
     blender.close()
 

@@ -27,7 +27,7 @@ class StyleBank(Mapping[str, Tensor]):
     names: tuple[str, ...]  # S unique names
     vectors: Tensor  # [S, D] style vectors
     speeds: Tensor | None = None  # [S] natural speed of each style, m/s; NaN if unknown
-    shakes: Tensor | None = None  # [S] whether a walk in the style shakes; menus say so
+    broken: Tensor | None = None  # [S] whether a walk in the style is mostly defects; menus say so
     __eq__, __hash__ = object.__eq__, object.__hash__
 
     def __post_init__(self):
@@ -39,9 +39,9 @@ class StyleBank(Mapping[str, Tensor]):
                              f"{list(self.vectors.shape)}")
         speeds = [math.nan] * count if self.speeds is None else self.speeds
         object.__setattr__(self, "speeds", as_tensor(speeds, "speeds"))
-        shakes = [False] * count if self.shakes is None else self.shakes
-        object.__setattr__(self, "shakes", torch.as_tensor(shakes, dtype=torch.bool))
-        for what, values in (("speeds", self.speeds), ("marks", self.shakes)):
+        broken = [False] * count if self.broken is None else self.broken
+        object.__setattr__(self, "broken", torch.as_tensor(broken, dtype=torch.bool))
+        for what, values in (("speeds", self.speeds), ("marks", self.broken)):
             if values.shape != (count,):
                 raise ValueError(f"{count} styles need {what} [{count}], got {list(values.shape)}")
         finite = zip(self.names, self.vectors.isfinite().all(-1).tolist(), strict=True)
@@ -130,15 +130,15 @@ class StyleBank(Mapping[str, Tensor]):
         return StyleBank(names, *(values[chosen] for values in self.tensors.values()))
 
     def labels(self) -> dict[str, str]:
-        """What menus call the styles, by name: those that shake are marked."""
-        return {name: f"{name} (shakes)" if bad else name
-                for name, bad in zip(self.names, self.shakes.tolist(), strict=True)}
+        """What menus call the styles, by name: those that walk badly are marked."""
+        return {name: f"{name} (broken)" if bad else name
+                for name, bad in zip(self.names, self.broken.tolist(), strict=True)}
 
     @property
     def tensors(self) -> dict[str, Tensor]:
         """The tensors that a file stores; names are stored separately."""
         return {"bank.vectors": self.vectors, "bank.speeds": self.speeds,
-                "bank.shakes": self.shakes}
+                "bank.broken": self.broken}
 
     def nearest(self, style: str | Tensor, k: int = 5) -> list[tuple[str, float]]:
         """The ``k`` styles nearest to another style, or to a vector ``[D]``, and their distances.
@@ -166,4 +166,4 @@ class StyleBank(Mapping[str, Tensor]):
         """The bank among what `toolkit.io.model_files.read` returned for ``path``."""
         with model_files.intact(path, "the style bank"):
             return cls(parts["bank"], tensors["bank.vectors"], tensors.get("bank.speeds"),
-                       tensors.get("bank.shakes"))
+                       tensors.get("bank.broken"))

@@ -40,8 +40,9 @@ _NAMES = """
     Roadrunner Skip Star WildArms
 """
 STYLES = tuple(_NAMES.split())
-#: Styles in which `toolkit.evaluation.defects` finds shaking all the time; of the others, in none.
-SHAKING = ("Drunk",)
+#: Styles in which `toolkit.evaluation.defects` finds something in half of the seconds of a natural
+#: walk: shaking, gliding, one foot above the other.
+BROKEN = "Drunk", "RightHop", "Skip"
 
 
 def available() -> bool:
@@ -95,8 +96,8 @@ def load(folder: str | os.PathLike | None = None, *, calibrated: bool = False) -
                            for i in range(len(STYLES))])
     speeds = torch.full((len(STYLES),), math.nan)
     speeds[: parameters.TRAINED] = read["Walk_Velocities"] / 12
-    shakes = torch.tensor([name in SHAKING for name in STYLES])
-    return run.Run(model, StyleBank(STYLES, vectors, speeds, shakes))
+    broken = torch.tensor([name in BROKEN for name in STYLES])
+    return run.Run(model, StyleBank(STYLES, vectors, speeds, broken))
 
 
 def either(file: str | os.PathLike | None, folder: str | os.PathLike | None) -> run.Run:
