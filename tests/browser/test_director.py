@@ -123,8 +123,8 @@ def alive() -> tuple:
 
 @pytest.fixture(scope="module")
 def file(pages):
-    """A page with a short shot, opened by every test here, whose style Aeroplane is marked; the last
-    styles have planted names.
+    """A page with a short shot, opened by every test here, whose style Aeroplane is marked; the
+    last styles have planted names.
     """
     model, bank = alive()
     count, names = len(bank), (*bank, *PLANTED)

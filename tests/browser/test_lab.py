@@ -51,6 +51,12 @@ desk
 """,
     "course.here('01')",
     """
+from course.style_blender import StyleBlender
+def most(blend):
+    return clip.cut(0, 2).replace(style=max(blend, key=blend.get))
+StyleBlender(planted.select(["Neutral", "Zombie"]), most, size=(160, 120))
+""",
+    """
 control = other = None
 async def probe():
     while True:
@@ -77,7 +83,7 @@ other = tk.view.Controller(tk.runtime.compile(model), planted, size=(240, 180))
 other
 """,
 ]
-CONTROL = 6  # the cell of the first controller
+CONTROL = 7  # the cell of the first controller
 RUN = """async ([index, which]) => {
     const { content, sessionContext } = jupyterapp.shell.currentWidget;
     await sessionContext.ready;
@@ -160,6 +166,7 @@ def test_widgets_in_jupyterlab(browser, lab, tmp_path):
         styles_are_picked(page)
         clips_play(page, kernel)
         shots_reach_the_kernel(page, kernel)
+        a_blend_is_shown(page)
         # Controllers take the kernel's time, and the page's.
         assert page.evaluate(RUN, [CONTROL, "below"]) == ""
         kernel(lambda now: "root" in now)
@@ -258,6 +265,16 @@ def clips_play(page, kernel) -> None:
     kernel(lambda p: not p["playing"])
     assert page.locator(".tk-still").count() > 0
     assert page.locator(".tk-still:visible").count() == 0
+
+
+def a_blend_is_shown(page) -> None:
+    """The marker of a triangle is dragged to a corner: the motion follows it."""
+    cell = page.locator(".jp-Cell").nth(5)
+    triangle = cell.locator(".tk-triangle svg")
+    triangle.scroll_into_view_if_needed()
+    assert cell.locator(".tkv-label", has_text="Neutral").count() == 1
+    drag(page, middle(triangle, 0, 40), middle(triangle, 70, 59))
+    cell.locator(".tkv-label", has_text="Zombie").wait_for()
 
 
 def shots_reach_the_kernel(page, kernel) -> None:
