@@ -31,6 +31,7 @@ CYCLE = 0.4, 2.0  # seconds that two steps may last
 WINDOW = 3.0  # seconds in which a cycle is compared with the next one
 #: What a walk has at least: seconds, m/s, and how regular it is (`periodicity`).
 SHORTEST, SLOWEST, PERIODIC = 1.9, 0.3, 0.4
+STANDS = 0.5  # times the mean speed: who is slower at the ends of a clip does not walk there yet
 #: Largest differences from the clip of a good walk, relative for speed and steps; twice as much
 #: is a failure. Posture: `POSTURE` times the distance of the nearest floor, but between `CLOSE` and
 #: `FAR` cm. Range: the clip's, times `RANGE` or divided by it. Reach: `REACH` cm from the clip's;
@@ -85,9 +86,9 @@ def compare(clip: Clip, model: Predictor, style: Tensor | str, bank: StyleBank) 
     Parameters
     ----------
     clip
-        A walk or a run on the model's skeleton, at any rate; of a long one `LONGEST` seconds in
-        the middle are compared, because many takes begin and end standing. ValueError if it is no
-        walk (`not_a_walk`).
+        A walk or a run on the model's skeleton, at any rate, without its standing ends
+        (`walking`); of a long one `LONGEST` seconds in the middle are compared. ValueError if it is
+        no walk (`not_a_walk`).
     style, bank
         The vector ``[D]``, or a name in the bank of the model.
     """
@@ -144,10 +145,19 @@ def compared(clip: Clip, model: Predictor, walked: Sequence[Walk],
 
 
 def middle(clip: Clip) -> Clip:
-    """`LONGEST` seconds in the middle of a clip at the model's rate, or all of a shorter one."""
-    clip = clip.resample(FPS)
+    """`LONGEST` seconds in the middle of what walks, at the model's rate, or all if it is less."""
+    clip = walking(clip.resample(FPS))
     more = max(0, len(clip) - round(LONGEST * FPS))
     return clip.cut(more // 2, len(clip) - (more - more // 2))
+
+
+def walking(clip: Clip) -> Clip:
+    """A clip without its ends that are slower than `STANDS`, if that leaves `SHORTEST` seconds."""
+    velocity, half = travel(clip)
+    speeds = velocity.norm(dim=-1)
+    fast = torch.nonzero(speeds >= STANDS * speeds.mean())[:, 0]
+    part = clip.cut(int(fast[0]), int(fast[-1]) + 2 * half + 1)
+    return part if part.seconds >= SHORTEST else clip
 
 
 def _judged(rows: dict[str, dict[str, float]], clips: dict[str, Clip]) -> Comparison:

@@ -44,6 +44,7 @@ def learn(model: Predictor, bank: StyleBank, clips: Sequence[Clip], name: str, *
     if isinstance(model.generator, FilmGenerator):
         ways.append({"method": "vector"})
     tried: list[Learnt] = []
+    clips = [comparison.walking(clip) for clip in clips]
     for way in ways:
         made = fine_tune(model, clips, name, bank, steps=steps, seed=seed, progress=progress, **way)
         tried.append(Learnt(made, *choose(made, longest, rounds=0), mirror="mirror" in way))
