@@ -4,7 +4,7 @@ import warnings
 from collections import Counter
 from pathlib import Path
 from statistics import median
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 
@@ -15,13 +15,14 @@ from toolkit.cli.style import fitted
 from toolkit.io.files import below
 from toolkit.io.load import load
 from toolkit.motion import Clip
+from toolkit.styles import comparison
 from toolkit.training import Run
 from toolkit.view import strip
 
-ABOUT = "Styles learnt from one walking clip each, by their walk beside the clip."
 COMMAND = ("python -m experiments added-styles --root DATA [--fresh] "
            "[--model examples/models/recorded.safetensors] --store")
-WAYS = {"trained": "one step ahead", "added": "style add", "floor": "the nearest old style"}
+WAYS = {"trained": "one step ahead", "added": "style add", "floor": "the nearest old style",
+        "take": "the clip itself"}
 COLUMNS = {"learnt": ["model, clips", None], "good": ["good", 0], "weak": ["weak", 0],
            "failed": ["failed", 0], "excess": ["median excess", 2],
            "second": ["on a second take", 2], "takes": ["takes", 0]}
@@ -47,7 +48,7 @@ def run(
     """Verdicts on a style of every walking clip, and on the nearest old style as a floor."""
     net = published.either(model, parameters)
     base = "published" if parameters else "procedural" if model is None else model.stem
-    each = Result("added-styles-each", ABOUT, COMMAND, EACH, [])
+    each = Result("added-styles-each", __doc__, COMMAND, EACH, [])
     for file in files(root, fresh):
         name = f"{base}: {file.parent.name}/{file.stem}"
         clip, why = walk(file, net)
@@ -71,10 +72,10 @@ def run(
         count = Counter(row[way] for row in clips)
         seconds = [row[f"{way} second"] for row in clips if f"{way} second" in row]
         rows.append({"learnt": f"{base}{', fresh' * fresh}: {name}",
-                     **{verdict: count[verdict] for verdict in styles.comparison.VERDICTS},
+                     **{verdict: count[verdict] for verdict in comparison.VERDICTS},
                      "excess": median(row[f"{way} excess"] for row in clips),
                      "second": median(seconds) if seconds else None, "takes": len(seconds)})
-    result = Result("added-styles", ABOUT, COMMAND, COLUMNS, rows)
+    result = Result("added-styles", __doc__, COMMAND, COLUMNS, rows)
     print(result.markdown())
     if store:
         result.add()
@@ -105,17 +106,21 @@ def second_take(file: Path, net: Run) -> Clip | None:
     return next((clip for other in others if (clip := walk(other, net)[0])), None)
 
 
-def judged(net: Run, clip: Clip, second: Clip | None) -> tuple[styles.Comparison, dict[str, Any]]:
+def judged(net: Run, clip: Clip, second: Clip | None) -> tuple[comparison.Comparison, dict]:
     """The comparison of the learnt style, and cells of `EACH`."""
     best = styles.learn(net.model, net.bank, [clip], "new")
-    made = best.made
+    made, found = best.made, {"take": "good", "take excess": 0.0}
     nearest = made.bank.nearest("new", 1)[0][0]
-    found: dict[str, Any] = {}
     for way, model, bank, name in (
             ("trained", made.model, styles.choose(made, clip, rounds=0)[0], "new"),
             ("added", made.model, best.bank, "new"), ("floor", net.model, net.bank, nearest)):
         compared = styles.compare(clip, model, name, bank)
         found |= {way: compared.verdict, f"{way} excess": compared.excess}
         if second is not None:
-            found[f"{way} second"] = styles.compare(second, model, name, bank).excess
+            beside = styles.compare(second, model, name, bank)
+            found[f"{way} second"] = beside.excess
+    if second is not None:  # two takes have different paths
+        own = comparison.measures(*map(comparison.middle, (clip, second)))
+        found["take second"] = max(comparison.difference(beside.rows | {"style": own}, what)
+                                   for what in own if what not in ("speed", "direction"))
     return best.compared, found

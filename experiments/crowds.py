@@ -37,7 +37,7 @@ SEEDS, APART = range(21, 26), 0.7  # of random scenes; metres between roots
 def run(
     model: verbs.TrainedRun = None,
     parameters: verbs.Published = None,
-    scenes: Annotated[str, typer.Option(help="Comma-separated: gate, streams, circle, swarm.")] =
+    scenes: Annotated[str, typer.Option(help="Comma-separated.")] =
     "gate,streams,circle,swarm",
     characters: Annotated[str, typer.Option(help="Comma-separated numbers.")] = "10,30,100",
     store: Store = False,

@@ -65,14 +65,14 @@ def measure(clip: Clip) -> dict[str, float]:
     clip = clip.resample(RATE)
     points = clip.global_positions.double().numpy()
     at = {name: points[:, clip.skeleton.role(name)] for name in clip.skeleton.roles}
-    hips, ground = at["hips"], at["hips"][:, [0, 2]]
-    ahead = np.array([*np.diff(ground[[0, -1]], axis=0)[0]])
-    ahead = np.array([ahead[0], 0.0, ahead[1]]) / np.hypot(*ahead)
+    hips = at["hips"]
+    x, _, z = hips[-1] - hips[0]
+    ahead = np.array([x, 0.0, z]) / np.hypot(x, z)
     apart = (at["left_foot"] - at["right_foot"]) @ ahead
     strides = np.flatnonzero((apart[:-1] < 0) & (apart[1:] >= 0))
     if len(strides) < 2:
         raise ValueError(f"{clip.name}: a part of {clip.seconds:.1f} s has no whole stride")
-    first, last = strides[0], strides[-1]
+    first, *_, last = strides
     steps = 2 * (len(strides) - 1)
     seconds = (last - first) / RATE
     speed = (hips[last] - hips[first]) @ ahead / seconds
