@@ -153,6 +153,8 @@ def middle(clip: Clip) -> Clip:
 
 def walking(clip: Clip) -> Clip:
     """A clip without its ends that are slower than `STANDS`, if that leaves `SHORTEST` seconds."""
+    if clip.seconds < SHORTEST:
+        return clip
     velocity, half = travel(clip)
     speeds = velocity.norm(dim=-1)
     fast = torch.nonzero(speeds >= STANDS * speeds.mean())[:, 0]
