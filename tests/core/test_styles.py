@@ -345,6 +345,7 @@ def test_standing_ends_of_a_clip_are_cut():
     clip = walk.replace(rotations=turns, root_positions=place)
     part = tk.styles.comparison.walking(clip)
     assert len(walk) <= len(part) < len(walk) + 50  # of 150
+    assert tk.styles.not_a_walk(clip) == ""
     assert len(tk.styles.comparison.walking(walk)) > len(walk) - 20
     short = clip.cut(0, 60)
     assert tk.styles.comparison.walking(short) is short

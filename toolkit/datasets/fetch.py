@@ -2,8 +2,8 @@
 
 Archive and unpacked files lie in a hidden folder beside the dataset's. When they are checked, the
 unpacked folder takes the dataset's name in one step, with `RECORD` in it. Killed at any time, the
-same call goes on with the download. Single styles of 100STYLE are read out of the archive on the
-server.
+same call goes on with the download of an archive. Single styles of 100STYLE are read out of the
+archive on the server, from the beginning.
 """
 
 import contextlib

@@ -4,6 +4,7 @@ import math
 import os
 from collections import defaultdict
 from collections.abc import Mapping
+from numbers import Real
 from pathlib import Path
 
 import numpy as np
@@ -107,7 +108,7 @@ def save(clip: Clip, path: str | os.PathLike, *, unit: float = CENTIMETRE,
         If the unit is no positive number, the order does not name each axis once, or a joint's
         name would be read differently: with braces, or with spaces other than single ones.
     """
-    if not (unit > 0 and math.isfinite(unit)):
+    if not (isinstance(unit, Real) and unit > 0 and math.isfinite(unit)):
         raise ValueError(f"unit must be a positive number of metres, got {unit}")
     if sorted(order) != ["X", "Y", "Z"]:
         raise ValueError(f"order must name each of X, Y and Z once, such as 'YXZ'; got {order!r}")

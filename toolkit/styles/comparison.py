@@ -210,6 +210,7 @@ def not_a_walk(clip: Clip) -> str:
     """
     if clip.seconds < SHORTEST:
         return f"lasts {clip.seconds:.1f} s; a style needs {SHORTEST:g} s or more"
+    clip = walking(clip)
     if (speed := pace(clip)) < SLOWEST:
         return f"covers {speed:.2f} m/s; a walk has {SLOWEST:g} m/s or more"
     contact = contacts.detect(clip)

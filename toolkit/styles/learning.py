@@ -63,8 +63,7 @@ def choose(made: NewStyles, clip: Clip, *, rounds: int = ROUNDS, seed: int = 0,
     At first this is a vector of the training. The error one step ahead, by which the training went,
     does not say how it walks. So it is trained on by its walk, in up to ``rounds`` rounds of
     `toolkit.styles.closed_loop`, until its excess is at most `ENOUGH`. The best round counts. If
-    it is not good, as many rounds start again with other draws, and if none is better than before,
-    at a lower rate.
+    none is better than before, so many rounds follow at a lower rate.
 
     The clip should be a walk (`not_a_walk`). ValueError if several styles were learnt at once.
     """
@@ -90,13 +89,12 @@ def _in_closed_loop(made: NewStyles, clip: Clip, bank: StyleBank, compared: Comp
     def walks() -> list[comparison.Walk]:
         return comparison.walks(clip, model, vector[None], made.bank, floors, rounds)
 
-    first, begin, (high, low) = compared, bank[name], RATES
-    for rate, draw in ((high, seed), (high, seed + 1), (low, seed)):
-        enough = compared.excess <= ENOUGH if compared is first else compared.verdict == "good"
-        if not rounds or enough or (rate == low and compared is not first):
+    first = compared
+    for rate in RATES:
+        if not rounds or compared.excess <= ENOUGH or compared is not first:
             break
-        vector = begin
-        loop = ClosedLoop(model, middle, vector, prior, rate, rounds, draw)
+        vector = bank[name]
+        loop = ClosedLoop(model, middle, vector, prior, rate, rounds, seed)
         walked = walks()
         for _ in progress_bar(range(rounds), desc="closed loop", unit="round", show=progress):
             vector = loop.round(walked)
