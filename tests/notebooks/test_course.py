@@ -77,7 +77,7 @@ def test_judges_copy_their_cases_and_name_a_fault_only_if_all_cases_agree():
     assert judge(lambda x: x / 2 + x.sum()).startswith("hidden case 1 of 2")
     assert judge(lambda x: None) == "no answer yet."
     assert judge(3) == "a function is needed, not int."
-    assert equals(4, {"that is its square": 16})(16) == "that is its square"
+    assert equals(4, {"that is its square": 16})(16) == "that is its square."
     assert equals({"a", "b"})(["b", "a"]) == ""
     with pytest.raises(TypeError):
         judge(lambda: 1)
