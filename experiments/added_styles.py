@@ -21,14 +21,14 @@ from toolkit.view import strip
 
 COMMAND = ("python -m experiments added-styles --root DATA [--fresh] "
            "[--model examples/models/recorded.safetensors] --store")
-WAYS = {"trained": "one step ahead", "added": "style add", "floor": "the nearest old style",
-        "take": "the clip itself"}
+WAYS = {"trained": "one step ahead", "added": "style add", "floor": "the nearest old style"}
 COLUMNS = {"learnt": ["model, clips", None], "good": ["good", 0], "weak": ["weak", 0],
            "failed": ["failed", 0], "excess": ["median excess", 2],
            "second": ["on a second take", 2], "takes": ["takes", 0]}
 EACH = {"clip": ["clip", None], "why": ["style add says", None],
         **{way: [name, None] for way, name in WAYS.items()},
-        **{f"{way} {column}": [column, 2] for way in WAYS for column in ("excess", "second")}}
+        **{f"{way} {column}": [column, 2] for way in WAYS for column in ("excess", "second")},
+        "take second": ["second", 2]}
 #: The recorded walks on which the limits of the verdicts were chosen.
 CHOSE = ("xia/neutral_01_000", "xia/sexy_01_000", "xia/strutting_01_000",
          "foreign/bvh-toolbox__walk01", "foreign/bvh-python__test_freebvh",
@@ -109,7 +109,7 @@ def second_take(file: Path, net: Run) -> Clip | None:
 def judged(net: Run, clip: Clip, second: Clip | None) -> tuple[comparison.Comparison, dict]:
     """The comparison of the learnt style, and cells of `EACH`."""
     best = styles.learn(net.model, net.bank, [clip], "new")
-    made, found = best.made, {"take": "good", "take excess": 0.0}
+    made, found = best.made, {}
     nearest = made.bank.nearest("new", 1)[0][0]
     for way, model, bank, name in (
             ("trained", made.model, styles.choose(made, clip, rounds=0)[0], "new"),

@@ -17,7 +17,7 @@ from toolkit.io.files import write_whole
 from toolkit.networks.bank import StyleBank
 from toolkit.runtime import FPS
 from toolkit.styles.transitions import transition
-from toolkit.training.run import RECORDED
+from toolkit.training.run import included
 
 STYLES = ("Neutral", "Zombie", "Aeroplane")
 GAITS = ("FW", "BW", "SW", "TR1")
@@ -50,7 +50,7 @@ def embedded(folder: Path) -> Path:
     """
     from toolkit import view
 
-    names = ["procedural", *["recorded"] * RECORDED.exists()]
+    names = included()
     pages = [view.web(*training.pretrained(name), folder / f"{name}.html", half=True,
                       title=f"The {name} model under your control") for name in names]
     links = " or ".join(f'<a href="{page.name}" target="model">{name}</a>'

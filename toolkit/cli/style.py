@@ -21,7 +21,7 @@ from toolkit.styles.comparison import not_a_walk
 from toolkit.styles.fine_tuning import METHODS, STEPS
 from toolkit.styles.learning import learn
 from toolkit.training import published
-from toolkit.training.run import RECORDED, model_file
+from toolkit.training.run import included, model_file
 
 AXES = 3.0  # seconds of a model's walk, from which its skeleton's axes are measured
 
@@ -138,8 +138,7 @@ def _bases(model: Path | None, folder: Path | None) -> list[str | Path | None]:
     """Models to which a style is added: names or files, None for the published one."""
     if model is not None or folder is not None:
         return [model]
-    bases = ["procedural", *(["recorded"] if RECORDED.exists() else [])]
-    return [*bases, *([None] if published.available() else [])]
+    return [*included(), *([None] if published.available() else [])]
 
 
 def _read(base: str | Path | None,

@@ -47,7 +47,9 @@ def alive(style: Styles, amount: float, seed: int = 0) -> Styles:
     def key(number: int, like: Tensor) -> Tensor:
         if number not in kept:
             kept.pop(number - 2, None)
-            rows = [uniform(like.shape[-1], number, seed + row)
+            size = like.shape[-1]
+            shifts = np.arange(size) * 4 // size % 2
+            rows = [shifts * uniform(size, number, seed + row)
                     for row in range(like.shape[:-1].numel())]
             kept[number] = torch.from_numpy(np.stack(rows)).to(like).reshape(like.shape)
         return kept[number]
@@ -58,8 +60,7 @@ def alive(style: Styles, amount: float, seed: int = 0) -> Styles:
         share = rest / PERIOD
         angle = math.pi / 2 * share * share * (3 - 2 * share)
         noise = math.cos(angle) * key(number, base) + math.sin(angle) * key(number + 1, base)
-        shifts = torch.arange(base.shape[-1], device=base.device) * 4 // base.shape[-1] % 2
-        return base * (1 + amount * shifts * noise)
+        return base * (1 + amount * noise)
 
     return wandering
 

@@ -31,7 +31,7 @@ CYCLE = 0.4, 2.0  # seconds that two steps may last
 WINDOW = 3.0  # seconds in which a cycle is compared with the next one
 #: What a walk has at least: seconds, m/s, and how regular it is (`periodicity`).
 SHORTEST, SLOWEST, PERIODIC = 1.9, 0.3, 0.4
-#: Times the mean speed: who is slower for so many seconds at an end of a clip does not walk there.
+#: Ends of a clip that are slower than `STANDS` times the mean speed, for over `LONG` s, are cut.
 STANDS, LONG = 0.5, 3.0
 #: Largest differences from the clip of a good walk, relative for speed and steps; twice as much
 #: is a failure. Posture: `POSTURE` times the distance of the nearest floor, but between `CLOSE` and
@@ -87,9 +87,9 @@ def compare(clip: Clip, model: Predictor, style: Tensor | str, bank: StyleBank) 
     Parameters
     ----------
     clip
-        A walk or a run on the model's skeleton, at any rate, without its standing ends
-        (`walking`); of a long one `LONGEST` seconds in the middle are compared. ValueError if it is
-        no walk (`not_a_walk`).
+        A walk or a run on the model's skeleton, at any rate. Long standing ends are cut
+        (`walking`), and of a long one `LONGEST` seconds in the middle are compared. ValueError if
+        it is no walk (`not_a_walk`).
     style, bank
         The vector ``[D]``, or a name in the bank of the model.
     """
@@ -153,7 +153,7 @@ def middle(clip: Clip) -> Clip:
 
 
 def walking(clip: Clip) -> Clip:
-    """A clip without long standing ends. Shorter ones stay: to cut them was no gain on 21 clips."""
+    """A clip without long standing ends, see `LONG`."""
     if clip.seconds < 2 * LONG:
         return clip
     speeds = travel(clip)[0].norm(dim=-1)

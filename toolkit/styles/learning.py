@@ -33,7 +33,7 @@ def learn(model: Predictor, bank: StyleBank, clips: Sequence[Clip], name: str, *
           steps: int = STEPS, seed: int = 0, progress: bool = False) -> Learnt:
     """Learn one style from clips in several ways, until one walks as the longest clip does.
 
-    Standing ends of the clips are cut (`comparison.walking`). The ways are the default of
+    Long standing ends of the clips are cut (`comparison.walking`). The ways are the default of
     `fine_tune`, the same with the mirror images of the clips, and, for a model that has its FiLM
     generator, the style vector alone. The best vector is then trained in closed loop, see `choose`.
 

@@ -235,6 +235,11 @@ def pretrained(name: str = "procedural") -> Run:
     return load(model_file(name))
 
 
+def included() -> list[str]:
+    """The names that `pretrained` knows here: a package has no recorded model."""
+    return ["procedural", *(["recorded"] if RECORDED.exists() else [])]
+
+
 def model_file(given: str | os.PathLike) -> Path:
     """The file of a model that a command names: ``procedural``, ``recorded``, or a path.
 

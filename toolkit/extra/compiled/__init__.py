@@ -50,7 +50,7 @@ class CompiledModel:
 
         # shapes of the parts of a state, one row a character
         state = start(self, torch.zeros(1, self.style_size))
-        self._shapes = {part: tuple(getattr(state, part).shape[1:]) for part in frame.State._fields}
+        self._shapes = {part: getattr(state, part).shape[1:] for part in frame.State._fields}
 
         known, began = self._misses(), time.perf_counter()
         self.pose(self.step(state, Command()))
