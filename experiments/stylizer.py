@@ -10,7 +10,7 @@ from typing import Annotated
 import torch
 import typer
 
-from experiments.stylization import evaluation
+from experiments.stylization import evaluation, floors
 from experiments.stylization.judges import Judges, NetworkJudge
 from experiments.tables import Result, Store
 from toolkit.datasets import procedural
@@ -87,12 +87,15 @@ def rows(stylizer: Stylizer, judges: tuple[Judges, Judges],
     style = float(target.bincount().max()) / len(target)
     yield "most frequent class", {"content": most, "style": style, "movement": style,
                                 "content2": most, "style2": style, "movement2": style}
-    shift = stylizer.shift(sources.x, sources.domain, target)
-    made = {"unchanged source": [sources.x], "mean-pose shift": [shift]}
+    of = sources.x, sources.domain, target
+    shift = stylizer.shift(*of)
+    made = {"unchanged source": [sources.x],
+            "mean-pose shift": [floors.without_amplitudes(stylizer).shift(*of)],
+            "shift and scale": [shift]}
     for by in ("noise", "reference"):
         raw, network = (evaluation.results(stylizer, some, motions, by, 0, smooth)
                         for smooth in (False, True))
-        made[f"blend, {by}"] = [_unit((x + shift) / 2) for x in network]
+        made[f"blend, {by}"] = [evaluation.blend(x, shift) for x in network]
         made[f"the network, {by}"] = network
         made[f"the network, not smoothed, {by}"] = raw
     for method, motion in made.items():
@@ -100,8 +103,3 @@ def rows(stylizer: Stylizer, judges: tuple[Judges, Judges],
         yield method, judged(torch.cat(motion), *twice)
         if len(motion) > 1:
             yield method, {"diversity": float(evaluation.angles(*motion).mean())}
-
-
-def _unit(x: torch.Tensor) -> torch.Tensor:
-    """Motions ``[B, 7, T, N]`` with unit quaternions."""
-    return torch.cat((x[:, :3], torch.nn.functional.normalize(x[:, 3:], dim=1)), 1)

@@ -18,6 +18,7 @@ from toolkit.stylization.layers import SLOPE, AdaIN, Skip, he_init
 from toolkit.stylization.networks import Discriminator, Sizes, Stylizer
 
 KERNEL = 5  # frames
+SHARES = 2.75, 4, 4.75  # widths as shares of `Sizes.channels`
 
 
 def flat(x: Tensor) -> Tensor:
@@ -32,7 +33,7 @@ def unflat(x: Tensor, channels: int = CHANNELS) -> Tensor:
 
 def widths(sizes: Sizes) -> tuple[int, int, int]:
     """Channels of the three levels of time, for which G is as large as with graph convolutions."""
-    return tuple(round(sizes.channels * share) for share in (1.5, 2.25, 2.75))
+    return tuple(round(sizes.channels * share) for share in SHARES)
 
 
 class Block(nn.Module):
@@ -129,9 +130,10 @@ def build(graph: SkeletonGraph, domains: tuple[str, ...], sizes: Sizes | None = 
     stylizer, discriminator = networks.build(graph, domains, sizes, statistics)
     joints, sizes = graph.sizes[0], stylizer.sizes
     stylizer.generator = Generator(joints, sizes)
-    trunks = [Summary(joints, sizes) for _ in range(2)]
-    stylizer.encoder.summary, discriminator.summary = trunks
-    for network in (stylizer.generator, *trunks):
+    stylizer.encoder.summary = Summary(joints, sizes)
+    discriminator.summaries = nn.ModuleList(Summary(joints, sizes)
+                                            for _ in discriminator.summaries)
+    for network in (stylizer.generator, stylizer.encoder.summary, discriminator.summaries):
         he_init(network)
     nn.init.zeros_(stylizer.generator.lower.weight)
     for module in stylizer.generator.modules():

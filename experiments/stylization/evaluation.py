@@ -63,6 +63,12 @@ def results(model: Stylizer, sources: Motions, references: Motions, by: str, see
     return [calm(motion, x) for motion in made] if smooth else made
 
 
+def blend(made: Tensor, shift: Tensor) -> Tensor:
+    """Half of each, motions ``[B, 7, T, N]``, as in `stylize`."""
+    positions, q = ((made + shift) / 2).split((3, 4), 1)
+    return torch.cat((positions, torch.nn.functional.normalize(q, dim=1)), 1)
+
+
 def drawn(sources: Motions, references: Motions, seed: int) -> list[Tensor]:
     """Rows [P] of the references of `results`, for the first and for the second result."""
     _, target = pairs(sources)

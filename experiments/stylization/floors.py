@@ -1,11 +1,13 @@
 """Floors: what restyles without learning. A stylizer is useful only where it is better than all."""
 
+import copy
 from collections.abc import Callable
 
 import torch
 from torch import Tensor
 
 from toolkit.stylization.data import Motions
+from toolkit.stylization.networks import Sizes, Stylizer, build
 
 NEAREST = 256  # sources whose distances to all motions are computed at once
 
@@ -17,14 +19,26 @@ def unchanged(train: Motions) -> Callable[[Motions, Tensor], Tensor]:
 
 def mean_pose_shift(train: Motions) -> Callable[[Motions, Tensor], Tensor]:
     """The source plus the difference of the mean poses of the two domains' training motions."""
-    domains = range(len(train.domains))
-    pose = torch.stack([train.x[train.domain == d].mean((0, 2)) for d in domains])
+    known = without_amplitudes(untrained(train))
+    return lambda sources, target: known.shift(sources.x, sources.domain, target)
 
-    def shift(sources: Motions, target: Tensor) -> Tensor:
-        x = sources.x + (pose[target] - pose[sources.domain])[:, :, None]
-        return torch.cat((x[:, :3], torch.nn.functional.normalize(x[:, 3:], dim=1)), 1)
 
-    return shift
+def shift_and_scale(train: Motions) -> Callable[[Motions, Tensor], Tensor]:
+    """`Stylizer.shift`: the movement gets the amplitude of the target domain, too."""
+    known = untrained(train)
+    return lambda sources, target: known.shift(sources.x, sources.domain, target)
+
+
+def untrained(train: Motions) -> Stylizer:
+    """A stylizer that only knows the statistics of motions."""
+    return build(train.graph, train.domains, Sizes(1, 1, 1, 1), train.statistics())[0]
+
+
+def without_amplitudes(stylizer: Stylizer) -> Stylizer:
+    """A copy of a stylizer whose `shift` moves the mean pose alone."""
+    known = copy.deepcopy(stylizer)
+    known.statistics.amplitudes.fill_(1)
+    return known
 
 
 def nearest(train: Motions) -> Callable[[Motions, Tensor], Tensor]:
@@ -43,4 +57,4 @@ def nearest(train: Motions) -> Callable[[Motions, Tensor], Tensor]:
 
 
 FLOORS = {"unchanged source": unchanged, "mean-pose shift": mean_pose_shift,
-          "nearest real clip": nearest}
+          "shift and scale": shift_and_scale, "nearest real clip": nearest}

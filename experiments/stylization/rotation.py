@@ -85,15 +85,18 @@ def scored(task: sets.Task, models: Models) -> Iterator[tuple[tuple[str, str], d
             some = sets.some(real, WINDOWS)
             rows, target = evaluation.pairs(some)
             sources = some.select(rows)
-            for floor, make in FLOORS.items():
-                said = judged(sources, target, [make(task.train)(sources, target)], judges)
-                yield (floor, ""), said
+            floors = {name: make(task.train)(sources, target) for name, make in FLOORS.items()}
+            for name, made in floors.items():
+                said = judged(sources, target, [made], judges)
+                yield (name, ""), said
             yield ("most frequent class", ""), said | {
                 "right": guessed(sources, target), "agree": torch.ones_like(said["agree"])}
             for (method, seed), model in models.items():
                 for by in evaluation.WAYS:
                     made = evaluation.results(model, some, task.references[part], by, seed)
                     yield (method, by), judged(sources, target, made, judges, seed)
+                    made = [evaluation.blend(x, floors["shift and scale"]) for x in made]
+                    yield (f"{method}, blend", by), judged(sources, target, made, judges, seed)
 
 
 def guessed(sources: Motions, target: Tensor) -> Tensor:
@@ -128,7 +131,7 @@ def summary(found: Found, trainings: list[dict], iterations: int, seeds: list[in
     """The table: shares by each judge, "both" and movement with their intervals and by seed."""
     whole = {name: {key: torch.cat([part[key] for part in parts], -1) for key in parts[0]}
              for name, parts in found.items()}
-    shift = whole["mean-pose shift", ""]
+    shift = whole["shift and scale", ""]
     lines, gains, new = [], {}, {}
     for (method, codes), of in whole.items():
         name = f"{method} {codes}".strip()
@@ -139,7 +142,7 @@ def summary(found: Found, trainings: list[dict], iterations: int, seeds: list[in
                 f" ({100 * ends[0, j, k]:.0f}–{100 * ends[1, j, k]:.0f})" if k > 1 else "")
                 for j in range(len(KINDS))]
             line[share] = " / ".join(texts)
-        if method in METHODS:
+        if (learnt := method.startswith(METHODS)):
             each = [100 * of["right"][:, SHARES.index("both"), of["seed"] == seed].float().mean(-1)
                     for seed in seeds]  # [2] by each judge
             line["seeds"] = " / ".join(", ".join(f"{share:.0f}" for share in judge)
@@ -147,7 +150,7 @@ def summary(found: Found, trainings: list[dict], iterations: int, seeds: list[in
         lines.append(line | {"agree": float(of["agree"].float().mean()),
                              "diversity": float(of["angle"].mean())})
         new[name] = of["right"][:, :, of["new"]].double().mean(-1).tolist()
-        if method in METHODS:
+        if learnt:
             gains[name] = interval(of, shift).tolist()
     about = (f"Bandai-Namco dataset 1, each of twelve styles as a target; {iterations} iterations "
              f"of each training, {len(seeds)} seeds; by the regression / the network, 95 % "

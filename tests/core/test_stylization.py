@@ -148,6 +148,16 @@ def test_z_scores_do_not_depend_on_a_quaternions_sign(motions):
     assert_close(statistics.apply(flipped), z)
 
 
+def test_a_domain_has_a_mean_pose_and_an_amplitude_within_windows(motions):
+    statistics = motions.statistics()
+    for d in range(len(motions.domains)):
+        z = statistics.apply(motions.x[motions.domain == d])
+        pose = z.mean(2, keepdim=True)
+        assert_close(statistics.poses[d], pose.mean(0), atol=1e-5, rtol=0)
+        square = (z - pose).square().mean((0, 2)).sqrt()
+        assert_close(statistics.amplitudes[d][:, 0], square, atol=1e-5, rtol=0)
+
+
 def test_graph_convolution_is_equation_1(graph):
     conv = layers.GraphConv(3, 5, graph, 0)
     x = torch.randn(2, 3, 21, 4)
@@ -171,13 +181,14 @@ def test_resampling_in_time_keeps_every_sample_where_its_time_is(graph):
     assert_close(up(coarse)[..., 1:-1], line[..., 1:-1])
 
 
-def test_adain_gives_each_channel_the_codes_mean_and_deviation():
-    layer = layers.AdaIN(4, 3)
+@pytest.mark.parametrize("nodes", [1, 5])
+def test_adain_gives_each_channel_or_node_the_codes_mean_and_deviation(nodes):
+    layer = layers.AdaIN(4, 3, nodes)
     x, code = torch.randn(2, 3, 5, 16) * 3 + 1, torch.randn(2, 4)
     gamma, beta = layer.affine(code).detach().chunk(2, 1)
-    made = layer(x, code).detach()
-    assert_close(made.mean((2, 3)), beta, atol=1e-5, rtol=0)
-    assert_close(made.std((2, 3), correction=0), (1 + gamma).abs(), atol=1e-4, rtol=0)
+    made = layer(x, code).detach().reshape(2, 3 * nodes, -1)
+    assert_close(made.mean(2), beta, atol=1e-5, rtol=0)
+    assert_close(made.std(2, correction=0), (1 + gamma).abs(), atol=1e-4, rtol=0)
 
 
 def test_a_block_adds_its_residual_to_a_shortcut_that_no_norm_touches(graph):
@@ -201,7 +212,7 @@ def test_networks_have_the_shapes_of_table_3(graph):
     assert stylizer.generator(x, code).shape == x.shape
     assert discriminator(x, y).shape == (2,)
     ends = [[64, 21, 64], [128, 10, 32], [256, 5, 16]]  # C, N, T
-    summaries = stylizer.encoder.summary, discriminator.summary
+    summaries = stylizer.encoder.summary, *discriminator.summaries
     for trunk in (stylizer.generator.encoder, *(part.trunk for part in summaries)):
         assert [shapes[layer] for layer in trunk][:3] == ends
     assert [shapes[block] for block in stylizer.generator.decoder] == [ends[1], ends[0]]
@@ -253,6 +264,20 @@ def test_a_detailed_generator_keeps_a_movement_by_its_skip_and_tells_joints_apar
     made = generator.decoder[1](generator.decoder[0](content, code), code)
     made = generator.lower(made + added).transpose(2, 3)
     assert_close(generator(x, code), made)
+
+
+def test_a_detailed_discriminator_also_sees_the_movement_without_the_mean_pose(graph):
+    _, judge = networks.build(graph, ("a", "b"), dataclasses.replace(SMALL, detailed=True))
+    x, pose, y = torch.randn(2, 7, 64, 21), torch.randn(2, 7, 1, 21), torch.tensor([0, 1])
+    first = judge.branches.in_features // 2
+    with torch.no_grad():
+        whole = judge(x, y)
+        judge.branches.weight[:, :first] = 0
+        movement = judge(x, y)
+        assert not torch.allclose(movement, whole)
+        assert_close(judge(x + pose, y), movement, atol=1e-4, rtol=0)
+        judge.branches.weight.fill_(1)
+        assert not torch.allclose(judge(x + pose, y), judge(x, y), atol=1e-3)
 
 
 @pytest.mark.parametrize("from_noise", [True, False])
@@ -376,7 +401,7 @@ def test_a_style_comes_from_a_reference_whose_domain_may_be_named(walks, model):
     assert not torch.equal(other.rotations, made.rotations)
 
 
-def test_a_blend_is_half_the_network_and_half_the_shift_of_mean_poses(walks, model):
+def test_a_blend_is_half_the_network_and_half_the_shift_and_scale(walks, model):
     clip = walks[0]
     x = data.describe(data.prepare(clip))[0][None]
     assert_close(model.shift(x, 0, 0), model.shift(x, "Neutral", "Neutral"))
@@ -384,6 +409,12 @@ def test_a_blend_is_half_the_network_and_half_the_shift_of_mean_poses(walks, mod
     poses = model.statistics.poses
     moved = (model.statistics.apply(shifted) - model.statistics.apply(x))[:, :3].mean((0, 2))
     assert_close(moved, (poses[1] - poses[0])[:3, 0], atol=1e-4, rtol=0)
+    widths = [model.statistics.apply(m)[0, :3].std(1) for m in (x, shifted)]
+    amplitudes = model.statistics.amplitudes[:, :3, 0]
+    moving = amplitudes > 0.1
+    gain = (amplitudes[1] / amplitudes[0]).clamp(*networks.GAINS)
+    assert gain[moving.all(0)].std() > 0.05
+    assert_close(widths[1][moving.all(0)], (widths[0] * gain)[moving.all(0)], atol=1e-4, rtol=1e-3)
     made, blend = (st.stylize(model, clip, "Zombie", 3, blend=style, feet=False)
                    for style in (None, "Neutral"))
     heights = [data.describe(data.prepare(c))[0][1, :, 0] for c in (made, blend)]  # of the root

@@ -28,7 +28,7 @@ def stylize_clip(
     reference: Annotated[Path | None, Option(
         help="Motion file whose style is used instead of noise.")] = None,
     blend: Annotated[str | None, Option(
-        help="Style of the clip: makes a blend, half network, half shift of mean poses.")] = None,
+        help="Style of the clip: makes a blend, half network, half shift and scale.")] = None,
     feet: Annotated[bool, Option(help="Remove foot skate.")] = True,
     unit: Unit = "auto",
     up: Up = "auto",

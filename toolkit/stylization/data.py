@@ -28,15 +28,17 @@ LEAST_STD = 0.01
 class Statistics(nn.Module):
     """Mean pose and standard deviation ``[7, 1, N]``, between physical units and z-scores.
 
-    ``poses [D, 7, 1, N]`` are the mean poses of the D domains, z-scores. q and −q are the same
-    rotation: `apply` chooses the sign nearest to the mean pose, once per joint and motion.
+    ``poses [D, 7, 1, N]`` are the mean poses of the D domains, ``amplitudes`` the root mean square
+    deviations from the mean pose of a window; z-scores. q and −q are the same rotation: `apply`
+    chooses the sign nearest to the mean pose, once per joint and motion.
     """
 
-    def __init__(self, mean: Tensor, std: Tensor, poses: Tensor):
+    def __init__(self, mean: Tensor, std: Tensor, domains: int):
         super().__init__()
         self.register_buffer("mean", mean.clone())
         self.register_buffer("std", std.clone())
-        self.register_buffer("poses", poses.clone())
+        self.register_buffer("poses", mean.new_zeros(domains, *mean.shape))
+        self.register_buffer("amplitudes", mean.new_ones(domains, *mean.shape))
 
     def apply(self, x: Tensor) -> Tensor:
         """z-scores ``[..., 7, T, N]`` of motions in physical units."""
@@ -80,14 +82,15 @@ class Motions:
         return self.graph.skeleton
 
     def statistics(self) -> Statistics:
-        """Mean pose and deviation over all windows and frames, and the mean pose of each domain."""
+        """Mean pose and deviation over all windows and frames, and those of each domain."""
         x = self.x.double()
         mean = x.mean((0, 2))[:, None].float()
         std = x.std((0, 2)).clamp_min(LEAST_STD)[:, None].float()
-        made = Statistics(mean, std, mean.new_zeros(len(self.domains), *mean.shape))
-        z = made.apply(self.x).mean(2, keepdim=True)
-        for d, pose in enumerate(made.poses):
-            pose.copy_(z[self.domain == d].mean(0))
+        made = Statistics(mean, std, len(self.domains))
+        variance, poses = torch.var_mean(made.apply(self.x), 2, correction=0, keepdim=True)
+        for d in range(len(self.domains)):
+            made.poses[d] = poses[self.domain == d].mean(0)
+            made.amplitudes[d] = variance[self.domain == d].mean(0).sqrt()
         return made
 
     def select(self, rows: Tensor) -> "Motions":

@@ -5,6 +5,7 @@ product mixes nodes.
 """
 
 import math
+from functools import partial
 
 import torch
 from torch import Tensor, nn
@@ -70,17 +71,21 @@ class GraphConv(nn.Module):
 class AdaIN(nn.Module):
     """Adaptive instance normalisation (equation 4): (1 + γ) IN(x) + β, linear in the style code.
 
-    In equation 4, σ is the mean and μ the variance. We divide by the deviation, as is usual.
+    In equation 4, σ is the mean and μ the variance. We divide by the deviation, as is usual. With
+    several ``nodes`` each node is normalised over time alone and has its own γ and β (departure):
+    so a style sets how each body part is held, and how far it moves.
     """
 
-    def __init__(self, code: int, channels: int):
+    def __init__(self, code: int, channels: int, nodes: int = 1):
         super().__init__()
-        self.affine = nn.Linear(code, 2 * channels)
+        self.nodes = nodes
+        self.affine = nn.Linear(code, 2 * channels * nodes)
 
     def forward(self, x: Tensor, code: Tensor) -> Tensor:
         """``x [B, C, N, T]`` in the style of ``code [B, S]``."""
-        gamma, beta = self.affine(code)[:, :, None, None].chunk(2, 1)
-        return (1 + gamma) * functional.instance_norm(x) + beta
+        gamma, beta = self.affine(code).view(len(code), 2, -1, self.nodes, 1).unbind(1)
+        alone = x.flatten(1, 2) if self.nodes > 1 else x
+        return (1 + gamma) * functional.instance_norm(alone).view_as(x) + beta
 
 
 class Resample(nn.Module):
@@ -128,8 +133,8 @@ class Block(nn.Module):
     """Residual block of two ST-GCN units, pre-activation: (shortcut + residual) / √2.
 
     ``level`` is the finer of the two levels that the block connects. The ``direction`` is "down"
-    (ST-Resblk) or "up" (ST-AdaINResblk), the ``norm`` "none" (E and D), "in" (encoder of G) or
-    "adain" (decoder of G), for which ``code`` is the length of the style code.
+    (ST-Resblk) or "up" (ST-AdaINResblk), the ``norm`` "none" (E and D), "in" (encoder of G),
+    "adain" (decoder of G) or "adain per node"; ``code`` is the length of the style code.
     """
 
     def __init__(self, inputs: int, outputs: int, graph: SkeletonGraph, level: int, direction: str,
@@ -140,9 +145,11 @@ class Block(nn.Module):
         self.second = SpatialTemporal(middle, outputs, graph, to)
         self.shortcut = nn.Conv2d(inputs, outputs, 1, bias=False)
         self.resample = Resample(graph, level, direction)
-        made = {"none": lambda c: nn.Identity(), "in": lambda c: nn.InstanceNorm2d(c, affine=True),
-                "adain": lambda c: AdaIN(code, c)}[norm]
-        self.norms = nn.ModuleList(made(c) for c in (inputs, middle))
+        made = {"none": lambda c, n: nn.Identity(),
+                "in": lambda c, n: nn.InstanceNorm2d(c, affine=True),
+                "adain": lambda c, n: AdaIN(code, c), "adain per node": partial(AdaIN, code)}[norm]
+        nodes = graph.sizes[level + (direction == "up")], graph.sizes[to]
+        self.norms = nn.ModuleList(map(made, (inputs, middle), nodes))
 
     def forward(self, x: Tensor, code: Tensor | None = None) -> Tensor:
         """``[B, outputs, N', T']`` of ``[B, inputs, N, T]``."""

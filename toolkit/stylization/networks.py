@@ -17,6 +17,7 @@ from toolkit.stylization.graph import POOLINGS, SkeletonGraph
 from toolkit.stylization.layers import SLOPE, AdaIN, Block, PerJoint, Skip, encoder, he_init
 
 SHRINK = 2**POOLINGS  # frames per frame of the coarsest level
+GAINS = 0.4, 2.5  # least and largest ratio of amplitudes in `Stylizer.shift`
 CODE_GAIN = 0.3  # share of He's deviation for layers that write or read style codes
 
 
@@ -28,7 +29,7 @@ class Sizes:
     code: int = 64  # length of a style code
     latent: int = 16  # length of z
     hidden: int = 512  # of the mapping network; its third layer has twice as many
-    detailed: bool = False  # G has a skip connection and a last layer per joint, unlike Table 3
+    detailed: bool = False  # departures from Table 3 in G and D
 
     def __post_init__(self):
         for name in ("channels", "code", "latent", "hidden"):
@@ -48,15 +49,16 @@ class Generator(nn.Module):
     In Table 3, the skip connections of the text are the shortcuts of the blocks, which have no
     normalisation. Unpooling makes the joints of a body part equal, and shared weights can hardly
     part them again. So a `Sizes.detailed` generator departs: `Skip` adds the features of the first
-    layer before the last one, which has weights for every joint.
+    layer before the last one, which has weights for every joint, and so has each AdaIN.
     """
 
     def __init__(self, graph: SkeletonGraph, sizes: Sizes):
         super().__init__()
         c = sizes.channels
         self.encoder = encoder(graph, c, "in")
+        norm = "adain per node" if sizes.detailed else "adain"
         self.decoder = nn.ModuleList(
-            Block(c << level + 1, c << level, graph, level, "up", "adain", sizes.code)
+            Block(c << level + 1, c << level, graph, level, "up", norm, sizes.code)
             for level in reversed(range(POOLINGS)))
         self.skip = Skip(sizes.code, c) if sizes.detailed else None
         self.lower = (PerJoint(c, CHANNELS, graph.sizes[0]) if sizes.detailed
@@ -139,17 +141,20 @@ class Discriminator(nn.Module):
     """Discriminator D (Table 3d): the logit that a motion is a real motion of a domain.
 
     Table 3d lists a last layer from D domains to D domains. The published code does not have it,
-    and neither does this one.
+    and neither does this one. That of `Sizes.detailed` networks departs: it also sees the motion
+    without its mean over time, so that a posture alone does not satisfy it.
     """
 
     def __init__(self, graph: SkeletonGraph, sizes: Sizes, domains: int):
         super().__init__()
-        self.summary = Summary(graph, sizes)
-        self.branches = nn.Linear(sizes.channels << POOLINGS, domains)
+        self.summaries = nn.ModuleList(Summary(graph, sizes) for _ in range(1 + sizes.detailed))
+        self.branches = nn.Linear(len(self.summaries) * (sizes.channels << POOLINGS), domains)
 
     def forward(self, x: Tensor, domain: Tensor) -> Tensor:
         """``[B]`` of z-scores ``[B, 7, T, N]`` and domains ``[B]``."""
-        return self.branches(self.summary(x)).gather(1, domain[:, None])[:, 0]
+        seen = zip(self.summaries, (x, x - x.mean(2, keepdim=True)), strict=False)
+        features = torch.cat([summary(motion) for summary, motion in seen], -1)
+        return self.branches(features).gather(1, domain[:, None])[:, 0]
 
 
 class Stylizer(nn.Module):
@@ -201,12 +206,17 @@ class Stylizer(nn.Module):
 
     @torch.no_grad()
     def shift(self, x: Tensor, source: str | int | Tensor, target: str | int | Tensor) -> Tensor:
-        """Motions ``[B, 7, T, N]`` plus the difference of the mean poses of two domains.
+        """Motions ``[B, 7, T, N]`` with the mean pose and the amplitude of another domain.
 
-        This mean-pose shift uses no network: it is a floor.
+        No network: the difference of the mean poses of two domains is added, and the deviation of
+        each number from its mean over time is scaled by the ratio of `Statistics.amplitudes`.
         """
-        source, target = (self.statistics.poses[self.domain(name)] for name in (source, target))
-        return self.statistics.invert(self.statistics.apply(x) + target - source)
+        source, target, known = self.domain(source), self.domain(target), self.statistics
+        z = known.apply(x)
+        pose, amplitudes = z.mean(2, keepdim=True), known.amplitudes.clamp_min(1e-3)
+        gain = (amplitudes[target] / amplitudes[source]).clamp(*GAINS)
+        moved = pose + known.poses[target] - known.poses[source]
+        return known.invert((z - pose) * gain + moved)
 
     @torch.no_grad()
     def code_of(self, x: Tensor, domain: str | int | Tensor) -> Tensor:
@@ -237,6 +247,9 @@ class Stylizer(nn.Module):
             described = parts["stylizer"]
             graph = SkeletonGraph.of(Skeleton(**described["skeleton"]))
             domains, sizes = described["domains"], Sizes(**described["sizes"])
+            name = "stylizer.statistics.{}"
+            tensors.setdefault(name.format("amplitudes"),  # older files have none
+                               torch.ones_like(tensors[name.format("poses")]))
             return model_files.restore(
                 lambda: cls(graph, domains, sizes, _none(graph, domains)), tensors, "stylizer.")
 
@@ -244,7 +257,7 @@ class Stylizer(nn.Module):
 def _none(graph: SkeletonGraph, domains: tuple[str, ...]) -> Statistics:
     """Statistics with which z-scores are physical units."""
     shape = (CHANNELS, 1, graph.sizes[0])
-    return Statistics(torch.zeros(shape), torch.ones(shape), torch.zeros(len(domains), *shape))
+    return Statistics(torch.zeros(shape), torch.ones(shape), len(domains))
 
 
 def pretrained() -> Stylizer:

@@ -35,7 +35,7 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
         ``style``.
     blend
         Style of the clip. With it the result is not the network's, but a blend: half of it, and
-        half the mean-pose shift from this style to the domain. It keeps more gaits than the network
+        half the shift and scale from this style to the domain. It keeps more gaits than the network
         (docs/embedded_model.md).
     feet
         Whether to remove foot skate (`lock_feet`).
