@@ -196,3 +196,9 @@ def _correlation(a: Tensor, b: Tensor) -> Tensor:
     """Correlation of each row of ``[R, N]`` with ``[N]``."""
     a, b = a - a.mean(1, keepdim=True), b - b.mean()
     return (a * b).sum(1) / (a.norm(dim=1) * b.norm()).clamp_min(1e-9)
+
+
+def riddles(steps: int) -> Toy:
+    """Three stylizers without one loss each, of exercise 08a.3."""
+    missing = ("ds", "adv", "cyc")
+    return Toy([[name for name in LOSSES if name != off] for off in missing], 2).train(steps)

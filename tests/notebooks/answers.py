@@ -1,6 +1,6 @@
 """Answers to the exercises: a right one by another way than the notebook's solution, wrong ones."""
 
-# ruff: noqa: B905, C408, RUF007 (as a reader writes them)
+# ruff: noqa: B905, C408 (as a reader writes them)
 
 import math
 
@@ -30,8 +30,8 @@ RIGHT["01.1"] = [
         + torch.view_as_complex(own.flip(0).contiguous()) * torch.exp(1j * angle)
     ).flip(0),
 ]
-RIGHT["01.2"] = [(np.pi / 2, (4, 0, 0))]
-WRONG["01.2"] = [(0, (4, 0, 0)), (0, (0, 2, 0)), (2 * PI, (0, 0, 0))]
+RIGHT["01.2"] = [(2 * PI, (0, 0, -4))]
+WRONG["01.2"] = [(1, (4, 0, 0)), (0, (0, 3, 0)), (0, (1, 0, 1)), (2 * PI, (0, 0, 0))]
 RIGHT["01.3"] = [
     lambda turns, pairs: (
         torch.stack([turns[:, k] for k in pairs], 1)
@@ -54,9 +54,9 @@ WRONG["02a.3"] = [
     ((1, 1, 0), (1, 1, 1)), ((1, 1, 0), (1, 1, 2 * PI)), ((0, 1, 0), (1, 1, 2)),
     ((1, 1, 0), (1, -1, PI)),
 ]
-RIGHT["02b.1"] = [(torch.arange(30.) - 3, torch.arange(30.))]
+RIGHT["02b.1"] = [(torch.arange(30.) + 2 * PI * (torch.arange(30) > 14), torch.arange(30.))]
 WRONG["02b.1"] = [
-    (torch.zeros(20), torch.zeros(20)), (torch.zeros(20) + .5, torch.zeros(20)),
+    (torch.zeros(20), torch.zeros(20)), (torch.arange(20.) + 2, torch.arange(20.)),
     (1.05 * torch.arange(20.) + 2, torch.arange(20.)),
 ]
 RIGHT["03a.1"] = [lambda first, second: np.roots([second - first, first])[0].real]
@@ -75,7 +75,7 @@ RIGHT["03b.1"] = [
     ).mean(),
 ]
 RIGHT["03b.2"] = [
-    lambda x, s: torch.stack([((b - a) / s).pow(2) for a, b in zip(x[:-1], x[1:])]).mean(),
+    lambda a, b, n: torch.tensor([b * sum(a**k for k in range(i)) for i in range(1, n + 1)]),
 ]
 UP = torch.tensor([0.0, 1.0, 0.0])  # the hip
 RIGHT["03b.3"] = [

@@ -68,13 +68,14 @@ def _walk() -> tk.Clip:
     return procedural.generate("LimpLeft", seconds=4.0)
 
 
-def _right(clip: tk.Clip) -> torch.Tensor:
-    return tk.motion.root_frames(clip).to_local(clip.global_positions)
+def _in_the_world(clip: tk.Clip) -> torch.Tensor:
+    return clip.global_positions
 
 
-def _changes(places, turn, shift) -> bool:
+def _changes(places, turn, shift) -> torch.Tensor:
+    """How far each joint moves in each frame, metres."""
     moved = _walk().moved(turn=float(turn), shift=tuple(shift))
-    return bool((places(moved) - places(_walk())).abs().max() > 0.1)
+    return (places(moved) - places(_walk())).norm(dim=-1)
 
 
 def _turns() -> list[tuple]:
@@ -132,14 +133,14 @@ EXERCISES = {
     "01.2": Exercise(
         shows(
             ("give a turn and a shift of three numbers", lambda turn, shift: len(shift) == 3),
-            ("the right numbers change, too: stay on the floor",
-             lambda turn, shift: not _changes(_right, turn, shift)),
-            ("with this change the faulty numbers stay within 10 cm of what they were",
-             lambda turn, shift: _changes(_shifted_only, turn, shift)),
+            ("a joint moves by two metres or less",
+             lambda turn, shift: float(_changes(_in_the_world, turn, shift).min()) > 2),
+            ("this test finds the fault: the faulty numbers change by a centimetre or more",
+             lambda turn, shift: float(_changes(_shifted_only, turn, shift).max()) < 0.01),
             parts=2,
         ),
         "which of the two does the faulty code take out: where a character is, or its direction?",
-        "turn by a large angle; any shift along the floor will do.",
+        "do not turn, and shift along the floor.",
     ),
     "01.3": Exercise(
         same_as(lambda turns, pairs: FLIP @ turns[:, pairs] @ FLIP, _turns, {

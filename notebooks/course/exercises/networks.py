@@ -58,8 +58,8 @@ def _leg_error(pose) -> float:
     return float(_bone_error((LEG + _off(pose))[None], LEG[None], [-1, 0, 1]))
 
 
-def _repeat(frames, deviation):
-    return (((frames[1:] - frames[:-1]) / deviation) ** 2).mean()
+def _grown(a, b, n):
+    return b * (1 - a ** torch.arange(1, n + 1)) / (1 - a)
 
 
 def _clear(errors) -> bool:
@@ -133,20 +133,17 @@ EXERCISES = {
     ),
     "03b.2": Exercise(
         same_as(
-            _repeat,
-            lambda: [
-                (x.cumsum(0), s.abs() + 0.5) for x, s in (draws(9, (n, 6), (6,)) for n in (30, 4))
-            ],
+            _grown,
+            lambda: [(0.5, 1.0, 4), (0.9, 0.3, 30), (0.2, 2.0, 1)],
             {
-                "divide by the deviation, so that all columns count alike.":
-                    lambda frames, deviation: _repeat(frames, 1.0),
-                "take the mean over all numbers, not the sum.": lambda frames, deviation: (
-                    _repeat(frames, deviation) * frames[1:].numel()
-                ),
+                "the input of the first prediction has no error, its output has.":
+                    lambda a, b, n: a * _grown(a, b, n),
+                "the share `a` of the last error comes in again: the errors add up.":
+                    lambda a, b, n: b * a ** torch.arange(n),
             },
         ),
-        "what is the prediction of the second frame?",
-        "the difference of each frame from the one before it, over the deviation, squared, mean.",
+        "what is the error of the second prediction, if the first one's is b?",
+        "b, then a · b + b, then a · (a · b + b) + b: a loop, or the sum of powers of a.",
     ),
     "03b.3": Exercise(
         shows(
