@@ -16,7 +16,7 @@ import typer
 
 from experiments.seven_models.models import machine, write_json
 from experiments.stylization import aberman, convolutional, evaluation, sets
-from experiments.stylization.floors import FLOORS
+from experiments.stylization.floors import FLOORS, shift_and_scale
 from experiments.stylization.judges import Judges
 from experiments.stylization.sets import Task
 from experiments.tables import Result, Store
@@ -29,6 +29,7 @@ from toolkit.stylization.training import Config
 
 OUT = Path("out/stylization")
 USUAL, SCORED = 60.0, "test"  # seconds of the comparison; the part of the data
+BLEND = ", blend"  # after the name of a method: half of it, half shift and scale
 OURS: dict[str, dict] = {  # what differs from `Config.quick`
     "ours": {},
     "ours without ds": {"losses": LOSSES[:4]},
@@ -98,8 +99,11 @@ def measure(method: str, task: Task, plan: Plan, seed: int, folder: Path, name: 
         model, numbers = trained(method, task.train, config, folder / "runs" / path.stem, progress)
         judges, sources = judges_of(task), sources_of(task, plan)
         ways = evaluation.WAYS if isinstance(model, Stylizer) else evaluation.WAYS[1:]
-        found = {by: evaluation.evaluate(model, sources, task.references[SCORED], judges, by,
-                                         seed) for by in ways}
+        rows, target = evaluation.pairs(sources)
+        shift = shift_and_scale(task.train)(sources.select(rows), target)
+        found = {f"{by}{word}": evaluation.evaluate(model, sources, task.references[SCORED],
+                                                    judges, by, seed, half)
+                 for by in ways for word, half in (("", None), (BLEND, shift))}
         write_json(path, {"seed": seed, **numbers, "measures": found})
     return json.loads(path.read_text(encoding="utf-8"))
 
@@ -132,7 +136,8 @@ def summary(name: str, task: Task, plan: Plan, folder: Path) -> Result:
                            if key != "measures"}
         for by, measured in found[0]["measures"].items():
             values = {key: [run["measures"][by][key] for run in found] for key in measured}
-            lines.append({"method": method, "codes": by, **values})
+            blended = BLEND * by.endswith(BLEND)
+            lines.append({"method": method + blended, "codes": by.removesuffix(BLEND), **values})
     real = task.sources[SCORED]
     about = (f"Bandai-Namco {name}, {', '.join(real.domains)} in {', '.join(real.contents)}; "
              f"{plan.seconds:g} seconds of one processor thread for each training, test windows; "

@@ -18,7 +18,7 @@ PAIRS = 400  # of real motions, for their own diversity
 
 
 def evaluate(model: Stylizer, sources: Motions, references: Motions, judges: Judges, by: str,
-             seed: int = 0) -> dict[str, float]:
+             seed: int = 0, shift: Tensor | None = None) -> dict[str, float]:
     """Restyle every source to every other domain, twice, and measure the results (`measures`).
 
     Parameters
@@ -35,9 +35,13 @@ def evaluate(model: Stylizer, sources: Motions, references: Motions, judges: Jud
         motion of the domain.
     seed
         Seed of noise and references.
+    shift
+        Motions ``[P, 7, T, N]`` of which half of each result is made, see `blend`.
     """
     rows, target = pairs(sources)
     made = results(model, sources, references, by, seed)
+    if shift is not None:
+        made = [blend(motion, shift) for motion in made]
     return measures(sources.select(rows), target, made, judges)
 
 

@@ -47,7 +47,7 @@ class Inspection(Findings):
             ("joints", f"{len(self.joints)}, and {len(clip.skeleton.ends)} End Sites"),
             ("unit", named(self.unit)),
             ("up", self.up),
-            ("height", f"{self.height:.2f} m"),
+            ("height", f"{self.height:.2f} m" if self.height > 0 else "no legs found"),
             ("floor", f"toes stand at {self.floor:.3f} m, "
                       f"{100 * self.drift:+.1f} cm over the clip"),
             ("upright", "yes" if self.upright else "no"),
