@@ -321,14 +321,7 @@ def test_what_a_walk_shows_is_compared_by_sorted_values_and_by_its_tempo(zombie)
     for side in ("left", "right"):
         places[..., roles[f"{side}_hip"], 1] = 0.9
     way = torch.tensor([0.0, 1.2]).expand(299, 2, 2)
-    # the head looks ahead in three quarters of the frames, else at the floor
-    head, axes = at[layout.skeleton.names[layout.skeleton.neck[-1]]], torch.zeros(2, *places.shape)
-    axes[0, :225, :, head, 2] = axes[1, :225, :, head, 1] = 1
-    axes[0, 225:, :, head, 1], axes[1, 225:, :, head, 2] = -1, 1
-    joints = tk.features.pack_joints(places, *axes, torch.zeros_like(places))
-    seen = closed_loop.distributions(layout, joints, way)
-    assert (seen["head"][:, [2, 4]] == 1).float().mean(0).tolist() == [0.75, 0.75]
-    assert torch.equal(seen["head"][:, 1], seen["head"][:, 2] - 1)
+    seen = closed_loop.distributions(layout, places, way)
     assert torch.allclose(seen["legs"], torch.tensor(0.9))
     assert torch.equal(seen["root's speed"][0], torch.tensor([0.0, 1.2]))
     assert sorted(seen["hands"].unique().tolist()) == [0.0, 1.0]
@@ -337,7 +330,7 @@ def test_what_a_walk_shows_is_compared_by_sorted_values_and_by_its_tempo(zombie)
         ahead = values[..., roles["right_toe"], 2].numpy()
         assert np.allclose(seen[what].numpy().max(1), np.percentile(ahead, levels).clip(0),
                            atol=1e-5)
-    assert torch.allclose(closed_loop.tempo(layout, joints),
+    assert torch.allclose(closed_loop.tempo(layout, places),
                           torch.tensor([math.cos(math.pi * lag / 30) for lag in closed_loop.LAGS]),
                           atol=0.04)
 
@@ -376,9 +369,9 @@ def test_rounds_in_closed_loop_bring_the_walk_nearer_to_the_clip(fast, zombie):
     assert last == again < 0.8 * first
     # of the clip itself nothing is left
     roots = root_frames(zombie)
-    joints = tk.features.joint_features(zombie, roots)[:, None]
+    places = roots.to_local(zombie.global_positions[:, list(model.layout.skeleton.feature_joints)])
     way = roots.turn_to_local(contacts.velocities(roots.positions, 60.0))[:, None, [0, 2]]
-    assert float(loop.distance(joints, way)) == 0
+    assert float(loop.distance(places[:, None], way)) == 0
 
 
 @pytest.mark.parametrize(("joint", "axis", "seen"), [

@@ -12,7 +12,7 @@ from torch import Tensor
 from torch.nn.functional import cosine_similarity
 
 from toolkit import runtime
-from toolkit.features import Layout, joint_features, split_joints, splits
+from toolkit.features import Layout, split_joints, splits
 from toolkit.motion import Clip, contacts
 from toolkit.motion.clip import root_frames
 from toolkit.motion.skeleton import FEET
@@ -28,11 +28,9 @@ RATES = 2e-2, 5e-3  # Adam's first rates: at the higher one, each round breaks s
 MAX_GRADIENT = 1.0  # the norm to which gradients are clipped
 PRIOR = 0.05  # weight of the mean squared z-score of the vector among the bank's
 QUANTILES = 64  # of a distribution
-#: What a walk shows: a small difference, in metres, seconds and (head) components of unit vectors,
-#: and the weight in the loss.
+#: What a walk shows: a small difference, in metres and seconds, and the weight in the loss.
 SHOWN = {"places": (0.05, 1.0), "hands": (0.05, 0.3), "feet": (0.04, 0.3), "legs": (0.03, 0.3),
-         "head": (0.2, 0.5), "speeds": (0.5, 0.5), "feet's speeds": (0.3, 0.3),
-         "root's speed": (0.1, 0.1)}
+         "speeds": (0.5, 0.5), "feet's speeds": (0.3, 0.3), "root's speed": (0.1, 0.1)}
 LAGS, TEMPO = range(4, 45, 4), (0.1, 0.3)  # frames; a small difference of correlations, the weight
 
 
@@ -45,11 +43,11 @@ class ClosedLoop:
     def __init__(self, model: Predictor, clip: Clip, vector: Tensor, prior: tuple[Tensor, Tensor],
                  rate: float, rounds: int, seed: int):
         self.model, self.prior, self.draw = model, prior, splits.generator(seed)
-        clip = clip.to(vector.device)
+        clip, joints = clip.to(vector.device), list(model.layout.skeleton.feature_joints)
         roots = root_frames(clip)
         way = roots.turn_to_local(contacts.velocities(roots.positions, clip.fps))[:, None, [0, 2]]
-        joints = joint_features(clip, roots)[:, None]
-        self.wanted = distributions(model.layout, joints, way), tempo(model.layout, joints)
+        places = roots.to_local(clip.global_positions[:, joints])[:, None]
+        self.wanted = distributions(model.layout, places, way), tempo(model.layout, places)
         self.vector = vector.clone().requires_grad_()
         self.adam = torch.optim.Adam([self.vector], lr=rate)
         self.decay = torch.optim.lr_scheduler.CosineAnnealingLR(self.adam, rounds * STEPS)
@@ -68,8 +66,8 @@ class ClosedLoop:
         return self.vector.detach().clone()
 
     def walk_on(self, walks: list[Walk]) -> tuple[Tensor, Tensor]:
-        """B characters walk on from drawn states: joint blocks ``[F, B, 12 J]``, and velocities
-        ``[F - 1, B, 2]`` of the root.
+        """B characters walk on from drawn states: places ``[F, B, J, 3]`` of their joints in the
+        root's frame, and velocities ``[F - 1, B, 2]`` of the root.
         """
         begins, orders = [], []
         for i in range(STARTS):
@@ -85,31 +83,28 @@ class ClosedLoop:
             velocity, facing = (self.vector.new_tensor([getattr(one, name) for one in now])
                                 for name in ("velocity", "facing"))
             state = runtime.step(self.model, state, runtime.Command(velocity, facing))
-            walked.append((state.joints, state.root))
-        joints, roots = (torch.stack(part[SKIPPED:]) for part in zip(*walked, strict=True))
+            walked.append((split_joints(state.joints)["position"], state.root))
+        places, roots = (torch.stack(part[SKIPPED:]) for part in zip(*walked, strict=True))
         steps = (roots[1:, :, :2] - roots[:-1, :, :2]) * FPS
         angle = torch.atan2(roots[:-1, :, 2], roots[:-1, :, 3])
-        return joints, turned(steps.flatten(0, 1), -angle.flatten()).view_as(steps)
+        return places, turned(steps.flatten(0, 1), -angle.flatten()).view_as(steps)
 
-    def distance(self, joints: Tensor, way: Tensor) -> Tensor:
+    def distance(self, places: Tensor, way: Tensor) -> Tensor:
         """The weighted sum of squared Wasserstein distances, and of the difference in `tempo`.
 
         In one dimension, the 2-Wasserstein distance of two distributions is that of their
         quantiles (Villani 2003, section 2.2).
         """
-        (wanted, wanted_tempo), made = self.wanted, distributions(self.model.layout, joints, way)
+        (wanted, wanted_tempo), made = self.wanted, distributions(self.model.layout, places, way)
         terms = [weight * ((made[what] - wanted[what]) / small).square().mean()
                  for what, (small, weight) in SHOWN.items()]
         small, weight = TEMPO
-        unlike = (tempo(self.model.layout, joints) - wanted_tempo) / small
+        unlike = (tempo(self.model.layout, places) - wanted_tempo) / small
         return sum(terms) + weight * unlike.square().mean()
 
 
-def distributions(layout: Layout, joints: Tensor, way: Tensor) -> dict[str, Tensor]:
+def distributions(layout: Layout, places: Tensor, way: Tensor) -> dict[str, Tensor]:
     """Quantiles ``[Q, D]`` of D coordinates, speeds or lengths of each kind of `SHOWN`."""
-    of = split_joints(joints)
-    places, head = of["position"], layout.skeleton.names[layout.skeleton.neck[-1]]
-    held = torch.cat((of["forward"], of["up"]), -1)[..., layout.names.index(head), :]
     legs = leg_joints(layout)
     feet = [j for j in legs if j not in legs[::3]]
     hands, hips = ([layout.names.index(layout.skeleton.roles[f"{side}_{part}"]) for side in FEET]
@@ -119,7 +114,6 @@ def distributions(layout: Layout, joints: Tensor, way: Tensor) -> dict[str, Tens
         "places": places.flatten(-2),
         "hands": places[..., hands, :].flatten(-2),
         "feet": places[..., feet, :].flatten(-2),
-        "head": held,
         "legs": (places[..., legs[1::3], :] - places[..., hips, :]).norm(dim=-1),
         "speeds": speeds.flatten(-2),
         "feet's speeds": speeds[..., feet, :].flatten(-2),
@@ -129,9 +123,8 @@ def distributions(layout: Layout, joints: Tensor, way: Tensor) -> dict[str, Tens
     return {what: values.flatten(0, 1).quantile(levels, 0) for what, values in kinds.items()}
 
 
-def tempo(layout: Layout, joints: Tensor) -> Tensor:
+def tempo(layout: Layout, places: Tensor) -> Tensor:
     """How like itself a walk is after each of `LAGS`: correlations of the toes' distance ahead."""
-    places = split_joints(joints)["position"]
     right, left = (places[..., joint, 2] for joint in leg_joints(layout)[2::3])
     apart = right - left
     return torch.stack([cosine_similarity(apart[lag:].flatten(), apart[:-lag].flatten(), dim=0)
