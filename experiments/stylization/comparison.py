@@ -6,7 +6,7 @@ run is resumed from its checkpoint, so that the command goes on where it was sto
 
 import json
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Annotated
@@ -64,9 +64,6 @@ class Plan:
 
 def run(
     out: Annotated[Path, typer.Option(help="Folder of the runs; none is repeated.")] = OUT,
-    data: Annotated[
-        str, typer.Option(help=f"Comma-separated: {', '.join(sets.SETS)}.")
-    ] = ",".join(sets.SETS),
     seconds: Annotated[float, typer.Option(min=1, help="Processor time of a training.")] = USUAL,
     seeds: Annotated[str, typer.Option(help="Comma-separated; a run of each.")] = "0,1,2",
     methods: Annotated[str, typer.Option(help="Comma-separated.")] = ",".join(METHODS),
@@ -74,26 +71,25 @@ def run(
 ) -> None:
     """The losses of Park et al. 2021 (Table 1), and their stylizer compared with two others.
 
-    Trains and measures all methods with every seed on one thread, and prints the tables.
+    Trains and measures all methods with every seed on one thread, and prints the table.
     """
     torch.set_num_threads(1)
-    chosen = _words(data, sets.SETS)
-    names = _words(methods, METHODS)
+    names = methods.split(",")
+    if unknown := [name for name in names if name not in METHODS]:
+        raise ValueError(f"unknown: {', '.join(unknown)}; known: {', '.join(METHODS)}")
     plan = Plan(seconds)
     settle(out, plan)
-    tasks = {name: sets.load(name) for name in chosen}
+    task = sets.walks_and_runs()
     for seed in map(int, seeds.split(",")):
-        for name, task in tasks.items():
-            for method in names:
-                measure(method, task, plan, seed, out, name, progress=True)
-    for name, task in tasks.items():
-        summary(name, task, plan, out).show(store)
+        for method in names:
+            measure(method, task, plan, seed, out, progress=True)
+    summary(task, plan, out).show(store)
 
 
-def measure(method: str, task: Task, plan: Plan, seed: int, folder: Path, name: str,
+def measure(method: str, task: Task, plan: Plan, seed: int, folder: Path,
             progress: bool = False) -> dict:
     """Measures of one run by the way its codes are made; trained, or read if that was done."""
-    path = folder / "measures" / f"{name}-{slug(method)}-{seed}.json"
+    path = folder / "measures" / f"{slug(method)}-{seed}.json"
     if not path.exists():
         config = plan.config(seed, **OURS.get(method, {}))
         model, numbers = trained(method, task.train, config, folder / "runs" / path.stem, progress)
@@ -124,11 +120,11 @@ def trained(method: str, motions: Motions, config: Config, path: Path,
                           "parameters": _size(run.stylizer.generator)}
 
 
-def summary(name: str, task: Task, plan: Plan, folder: Path) -> Result:
-    """The table of a dataset from all finished runs in the folder, with real motion and floors."""
+def summary(task: Task, plan: Plan, folder: Path) -> Result:
+    """The table from all finished runs in the folder, with real motion and floors."""
     lines, numbers = list(_floors(task, plan)), {}
     for method in METHODS:
-        paths = sorted((folder / "measures").glob(f"{name}-{slug(method)}-[0-9]*.json"))
+        paths = sorted((folder / "measures").glob(f"{slug(method)}-[0-9]*.json"))
         found = [json.loads(path.read_text(encoding="utf-8")) for path in paths]
         if not found:
             continue
@@ -139,7 +135,7 @@ def summary(name: str, task: Task, plan: Plan, folder: Path) -> Result:
             blended = BLEND * by.endswith(BLEND)
             lines.append({"method": method + blended, "codes": by.removesuffix(BLEND), **values})
     real = task.sources[SCORED]
-    about = (f"Bandai-Namco {name}, {', '.join(real.domains)} in {', '.join(real.contents)}; "
+    about = (f"Bandai-Namco dataset 2, {', '.join(real.domains)} in {', '.join(real.contents)}; "
              f"{plan.seconds:g} seconds of one processor thread for each training, test windows; "
              "mean ± deviation over the seeds")
     settings = {
@@ -153,10 +149,10 @@ def summary(name: str, task: Task, plan: Plan, folder: Path) -> Result:
         "contents": len(real.contents),
         **machine("cpu"),
     }
-    command = (f"python -m experiments stylization --data {name} --seconds {plan.seconds:g} "
+    command = (f"python -m experiments stylization --seconds {plan.seconds:g} "
                f"--methods \"{','.join(numbers)}\" --store")
     ending = "" if plan.seconds == USUAL else f"-{plan.seconds:g}-seconds"
-    return Result(f"stylisation-{name}{ending}", about, command, COLUMNS, lines, settings,
+    return Result(f"stylisation-dataset-2{ending}", about, command, COLUMNS, lines, settings,
                   {"runs": numbers})
 
 
@@ -205,10 +201,3 @@ def _size(network: torch.nn.Module) -> int:
 def slug(name: str) -> str:
     """A name as part of a file name."""
     return "-".join("".join(c if c.isalnum() else " " for c in name.lower()).split())
-
-
-def _words(text: str, known: Sequence[str]) -> list[str]:
-    names = text.split(",")
-    if unknown := [name for name in names if name not in known]:
-        raise ValueError(f"unknown: {', '.join(unknown)}; known: {', '.join(known)}")
-    return names

@@ -22,13 +22,12 @@ from toolkit.stylization.data import Motions, build
 
 PARTS = ("test", "validation")
 FIFTHS = (*PARTS, "third", "fourth", "fifth")  # of the takes of dataset 1
-#: Styles of dataset 1 that a judge can tell apart.
+#: Styles of dataset 1 on which recipes were chosen: a judge can tell them apart.
 STYLES = ("feminine", "masculinity", "not-confident", "old", "tired")
 #: What contents are judged as; the others are of references only.
 CONTENTS = {"bow": "bow", "bye": "wave", "byebye": "wave", "run": "run", "dash": "run",
             "walk": "walk"}
 OTHERS = {"guide": "guide", "walk-back": "walk", "walk-left": "walk", "walk-right": "walk"}
-SETS = ("dataset-1", "dataset-2")
 
 
 @dataclass(frozen=True)
@@ -46,13 +45,9 @@ class Task:
     judged: Mapping[str, Mapping[str, Motions]]
 
 
-def load(name: str) -> Task:
-    """The task of ``"dataset-1"`` (dissimilar actions) or ``"dataset-2"`` (walks and runs)."""
-    if name not in SETS:
-        raise ValueError(f"the comparison knows {', '.join(SETS)}, not {name!r}")
-    if name == "dataset-2":
-        return many_takes(build(datasets.load("bandai", dataset=2), mirror=True))
-    return few_takes(dissimilar(), STYLES, CONTENTS)
+def walks_and_runs() -> Task:
+    """The task of dataset 2."""
+    return many_takes(build(datasets.load("bandai", dataset=2), mirror=True))
 
 
 def dissimilar() -> Motions:

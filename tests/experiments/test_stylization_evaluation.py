@@ -3,7 +3,6 @@
 import pytest
 import torch
 from course import halves
-from refusal import refusal
 
 import toolkit as tk
 from experiments.stylization import comparison, evaluation, floors, sets
@@ -88,13 +87,13 @@ def compared(task, tmp_path_factory):
     folder = tmp_path_factory.mktemp("comparison")
     plan = comparison.Plan(seconds=60, sources=2, iterations=2)
     for method in METHODS:
-        comparison.measure(method, task, plan, 0, folder, "dataset-1")
+        comparison.measure(method, task, plan, 0, folder)
     return folder, plan
 
 
 def test_a_comparison_has_rows_for_every_method_and_floor(compared, task):
     folder, plan = compared
-    result = comparison.summary("dataset-1", task, plan, folder)
+    result = comparison.summary(task, plan, folder)
     named = {(row["method"], row.get("codes")) for row in result.rows}
     assert {("real motion", None), *((floor, None) for floor in floors.FLOORS)} <= named
     for by in evaluation.WAYS:
@@ -122,5 +121,3 @@ def test_no_take_is_in_two_parts():
     parts = [many.train, *many.sources.values(), many.judged["test"]["style"]]
     every = torch.cat([part.take for part in parts]).unique()
     assert sum(len(part.take.unique()) for part in parts) == len(every)
-    with refusal("knows dataset-1, dataset-2, not 'dataset-3'"):
-        sets.load("dataset-3")
