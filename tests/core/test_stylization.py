@@ -511,6 +511,7 @@ def test_the_stylizer_in_the_package_brings_a_clip_nearer_to_each_style_than_to_
         return model.statistics.apply(data.describe(data.prepare(clip))[0]).mean(1)
 
     walks = {s: tk.datasets.procedural.generate(s, "FW", 4.0, 9) for s in model.domains}
+    assert len(st.stylize(model, walks["Neutral"].resample(30.0).cut(0, 4), "Old")) == 4
     for style in model.domains:
         if style != "Neutral":
             made = st.stylize(model, walks["Neutral"], style, seed=1)

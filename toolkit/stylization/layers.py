@@ -84,8 +84,8 @@ class AdaIN(nn.Module):
     def forward(self, x: Tensor, code: Tensor) -> Tensor:
         """``x [B, C, N, T]`` in the style of ``code [B, S]``."""
         gamma, beta = self.affine(code).view(len(code), 2, -1, self.nodes, 1).unbind(1)
-        alone = x.flatten(1, 2) if self.nodes > 1 else x
-        return (1 + gamma) * functional.instance_norm(alone).view_as(x) + beta
+        together = x.shape[3:] if self.nodes > 1 else x.shape[2:]
+        return (1 + gamma) * functional.layer_norm(x, together) + beta
 
 
 class Resample(nn.Module):

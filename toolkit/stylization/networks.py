@@ -39,7 +39,7 @@ class Sizes:
 
     @classmethod
     def small(cls) -> "Sizes":
-        """A fifteenth of the parameters, for training on a CPU."""
+        """A tenth of the parameters, for training on a CPU."""
         return cls(channels=16, hidden=128, detailed=True)
 
 
@@ -247,9 +247,6 @@ class Stylizer(nn.Module):
             described = parts["stylizer"]
             graph = SkeletonGraph.of(Skeleton(**described["skeleton"]))
             domains, sizes = described["domains"], Sizes(**described["sizes"])
-            name = "stylizer.statistics.{}"
-            tensors.setdefault(name.format("amplitudes"),  # older files have none
-                               torch.ones_like(tensors[name.format("poses")]))
             return model_files.restore(
                 lambda: cls(graph, domains, sizes, _none(graph, domains)), tensors, "stylizer.")
 
