@@ -96,7 +96,8 @@ def scored(task: sets.Task, models: Models) -> Iterator[tuple[tuple[str, str], d
                     made = evaluation.results(model, some, task.references[part], by, seed)
                     yield (method, by), judged(sources, target, made, judges, seed)
                     made = [evaluation.blend(x, floors["shift and scale"]) for x in made]
-                    yield (f"{method}, blend", by), judged(sources, target, made, judges, seed)
+                    blended = judged(sources, target, made, judges, seed)
+                    yield (method + comparison.BLEND, by), blended
 
 
 def guessed(sources: Motions, target: Tensor) -> Tensor:
@@ -159,7 +160,7 @@ def summary(found: Found, trainings: list[dict], iterations: int, seeds: list[in
                 "results of a floor": len(shift["take"]),
                 "real windows": len(whole["real motion", ""]["take"]), **machine("cpu")}
     numbers = {"trainings": trainings, "order": [list(KINDS), list(SHARES)],
-               "styles of no choice": new, "interval of the gain over the shift": gains}
+               "styles of no choice": new, "interval of the gain over shift and scale": gains}
     return Result("stylisation-rotation", about,
                   "python -m experiments stylization-rotation --store", COLUMNS, lines, settings,
                   numbers)
