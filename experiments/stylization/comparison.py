@@ -115,6 +115,7 @@ def trained(method: str, motions: Motions, config: Config, path: Path,
     make = networks.build if method in OURS else convolutional.build
     run = training.fit(motions, config, path.with_suffix(".checkpoint"), progress=progress,
                        networks=make, clock=time.process_time)
+    run.stylizer.save(path.with_suffix(".safetensors"), slim=True)
     last = run.history[-1] if run.history else {"step": 0, "elapsed": 0.0}
     return run.stylizer, {"seconds": last["elapsed"], "iterations": last["step"],
                           "parameters": _size(run.stylizer.generator)}

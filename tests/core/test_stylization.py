@@ -6,6 +6,7 @@ import functools
 import math
 import re
 from itertools import product
+from pathlib import Path
 
 import pytest
 import torch
@@ -501,6 +502,13 @@ def test_the_command_line_trains_and_restyles(tmp_path, walks, model, command):
     assert "a weight is a number, as in ds=3; got adv,ds=x" in said
     made = st.Stylizer.load(tmp_path / "new" / "run.safetensors")
     assert made.domains == ("Neutral", "Zombie")
+
+
+def test_the_stylizer_of_recorded_people_is_in_the_repository():
+    file = Path(__file__).parents[2] / "examples/models/recorded_stylizer.safetensors"
+    model = st.Stylizer.load(file)
+    assert model.domains == ("active", "exhausted", "feminine", "masculine", "normal")
+    assert model.statistics.amplitudes.amax() > 0.5
 
 
 def test_the_stylizer_in_the_package_brings_a_clip_nearer_to_each_style_than_to_any_other():
