@@ -145,6 +145,19 @@ def _finding(answer) -> str:
     return ""
 
 
+#: Postures, cm, of a style and of a floor from several starts.
+STARTS = (
+    ([3.0, 4.0, 3.5, 3.2], [9.0, 9.0, 8.0, 10.0]), ([8.0, 8.5, 8.2, 8.1], [20.0, 8.3, 20.0, 20.0]),
+    ([2.0, 8.0, 3.0, 4.0], [4.0, 9.0, 5.0, 5.0]), ([5.0, 3.0, 3.0, 3.0], [5.0, 9.0, 9.0, 9.0]),
+    ([1.0, 2.0], [2.0, 3.0]), ([9.0, 9.1, 9.2], [2.0, 2.0, 2.0]),
+)
+
+
+def _beats(style, floor) -> bool:
+    gain, spread = (floor - style).mean(), style.max() - style.min()
+    return bool((style < floor).all() and gain > spread)
+
+
 EXERCISES = {
     "09.1": Exercise(
         equals(0.08, {
@@ -276,12 +289,14 @@ EXERCISES = {
         "limit the posture from above and the range from below.",
     ),
     "12.2": Exercise(
-        equals(1 / 6, {
-            "the mean of the data is the easier floor": 1 - 0.05 / 0.96,
-            "this is the share that is left": 0.05 / 0.06,
-        }, tolerance=0.03),
-        "which floor is harder to beat?",
-        "1 − error / floor, with the smaller one of both floors.",
+        same_as(_beats, lambda: [tuple(map(torch.tensor, case)) for case in STARTS], {
+            "one start where the floor is as near is enough to refuse.": lambda style, floor: bool(
+                (floor - style).mean() > style.max() - style.min()),
+            "a gain that is smaller than the range may be luck.": lambda style, floor: bool(
+                (style < floor).all()),
+        }),
+        "two things can make it luck: a start where the floor is as near, and what else?",
+        "(style < floor).all(), and (floor − style).mean() above style.max() − style.min().",
     ),
     "12.3": Exercise(
         _finding,
