@@ -49,10 +49,8 @@ RIGHT["02a.2"] = [
         float(np.unwrap(phase.numpy())[-1] - phase[0]) / (len(phase) - 1) * fps / (2 * PI)
     ),
 ]
-RIGHT["02a.3"] = [((1, 0, 0), (2, 0, PI))]
-WRONG["02a.3"] = [
-    ((1, 1, 0), (1, 1, 1)), ((1, 1, 0), (1, 1, 2 * PI)), ((0, 1, 0), (1, 1, 2)),
-    ((1, 1, 0), (1, -1, PI)),
+RIGHT["02a.3"] = [
+    lambda s: np.sqrt(2 * (1 - np.cos(2 * PI * s)) / (s - s * s)) / PI,
 ]
 RIGHT["02b.1"] = [(torch.arange(30.) + 2 * PI * (torch.arange(30) > 14), torch.arange(30.))]
 WRONG["02b.1"] = [

@@ -43,12 +43,8 @@ def _angles() -> list[tuple]:
         (torch.tensor([3.0, -3.0, -2.5]), 30.0)]
 
 
-def _inverse(p):
-    return torch.stack((torch.atan2(p[:, 0], p[:, 1]) % TURN, p.norm(dim=1)), 1)
-
-
-def _feature(speed, amplitude, phase):
-    return speed * amplitude * torch.tensor([math.sin(phase), math.cos(phase)])
+def _amplitude(s):
+    return 2 * math.sin(math.pi * s) / (math.pi * math.sqrt(s * (1 - s)))
 
 
 def _error(found, true):
@@ -129,18 +125,14 @@ EXERCISES = {
         "wrap each step to −π … π, take the mean, times fps, divided by 2π.",
     ),
     "02a.3": Exercise(
-        shows(
-            ("give two limbs, three numbers each",
-             lambda one, two: len(one) == len(two) == 3),
-            ("speed and amplitude are not negative", lambda one, two: min(*one[:2], *two[:2]) >= 0),
-            ("their phases are the same, or differ by whole turns",
-             lambda one, two: abs(_wrapped(one[2] - two[2])) > 0.1),
-            ("their vectors differ: the network can tell the limbs apart",
-             lambda one, two: bool((_feature(*one) - _feature(*two)).norm() < 1e-3)),
-            parts=2,
-        ),
-        "for which limbs does equation (1) remove the phase?",
-        "a limb without speed, or without amplitude, has the vector zero whatever its phase is.",
+        same_as(_amplitude, lambda: [(0.5,), (0.6,), (0.1,)], {
+            "normalise: divide by the deviation of the curve.":
+                lambda s: 2 * math.sin(math.pi * s) / math.pi,
+            "this is from the lowest to the highest value of the sinusoid.":
+                lambda s: 2 * _amplitude(s),
+        }),
+        "take the middle of the stance as time zero: what is the mean of the curve times a cosine?",
+        "twice the mean of curve times cosine is 2 sin(πs) / π; the deviation is √(s(1 − s)).",
     ),
     "02b.1": Exercise(
         shows(
