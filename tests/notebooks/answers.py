@@ -118,7 +118,7 @@ WRONG["05.2"] = [
 ]
 RIGHT["05.3"] = [lambda length, angle: length * ((1 + angle.cos()) / 2).sqrt()]
 RIGHT["06.1"] = [
-    lambda v, vectors: (((v - vectors.mean(0)) / vectors.std(0)).norm() ** 2) / v.numel(),
+    lambda k, a, lam, mean, d: a + (mean - a) * lam / (k * d * d + lam),
 ]
 RIGHT["06.2"] = [lambda v, m, z, rate: v.sub_(rate * 2 * m.T @ (m @ v - z))]
 RIGHT["06.3"] = [dict(before=9.0, after=4, mean=1, repeat=5)]

@@ -84,6 +84,11 @@ def _code_of(reference):
 
 CONTENTS = [0, 0, 1, 1, 2, 2]  # of the six windows of exercise 08b.2
 
+def _best(k, a, lam, mean, deviation):
+    pull = lam / deviation**2
+    return (k * a + pull * mean) / (k + pull)
+
+
 EXERCISES = {
     "04.1": Exercise(
         shows(
@@ -162,19 +167,17 @@ EXERCISES = {
     ),
     "06.1": Exercise(
         same_as(
-            lambda v, vectors: ((v - vectors.mean(0)) / vectors.std(0)).square().mean(),
-            lambda: [draws(6, (8,), (n, 8)) for n in (4, 9)],
+            _best,
+            lambda: [(2.0, 1.0, 0.15, -1.0, 0.5), (1.0, 3.0, 15.0, 0.5, 2.0)],
             {
-                "divide by the standard deviation, not by the variance.": lambda v, vectors: (
-                    ((v - vectors.mean(0)) / vectors.var(0)).square().mean()
-                ),
-                "this is the sum; take the mean over the numbers.": lambda v, vectors: (
-                    ((v - vectors.mean(0)) / vectors.std(0)).square().sum()
-                ),
+                "divide λ by the square of the deviation.":
+                    lambda k, a, lam, mean, d: _best(k, a, lam * d, mean, d),
+                "the error counts, too: it is k times as steep.":
+                    lambda k, a, lam, mean, d: _best(1.0, a, lam, mean, d),
             },
         ),
-        "what is the z-score of one number, and over what are mean and deviation taken?",
-        "subtract vectors.mean(0), divide by vectors.std(0), square, take the mean.",
+        "what is the slope of the sum, and what is it at the smallest value?",
+        "k · (v − a) + λ / σ² · (v − μ) = 0: solve for v.",
     ),
     "06.2": Exercise(
         same_as(
