@@ -176,8 +176,9 @@ def _floors(task: Task, plan: Plan) -> Iterator[dict]:
 
 
 def judges_of(task: Task) -> Judges:
-    """Judges of the scored windows."""
-    return Judges.train(task.judged[SCORED], task.train)
+    """Judges of the scored windows. The FMD is to their own windows, which no generator saw."""
+    judged = task.judged[SCORED]
+    return Judges.train(judged, judged["style"])
 
 
 def sources_of(task: Task, plan: Plan) -> Motions:
