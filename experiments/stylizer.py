@@ -87,11 +87,9 @@ def rows(stylizer: Stylizer, judges: tuple[Judges, Judges],
     style = float(target.bincount().max()) / len(target)
     yield "most frequent class", {"content": most, "style": style, "movement": style,
                                 "content2": most, "style2": style, "movement2": style}
-    of = sources.x, sources.domain, target
-    shift = stylizer.shift(*of)
-    made = {"unchanged source": [sources.x],
-            "mean-pose shift": [floors.without_amplitudes(stylizer).shift(*of)],
-            "shift and scale": [shift]}
+    shift, poses = (floors.shift_of(known)(sources, target)
+                    for known in (stylizer, floors.without_amplitudes(stylizer)))
+    made = {"unchanged source": [sources.x], "mean-pose shift": [poses], "shift and scale": [shift]}
     for by in ("noise", "reference"):
         raw, network = (evaluation.results(stylizer, some, motions, by, 0, smooth)
                         for smooth in (False, True))

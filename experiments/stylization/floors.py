@@ -19,13 +19,16 @@ def unchanged(train: Motions) -> Callable[[Motions, Tensor], Tensor]:
 
 def mean_pose_shift(train: Motions) -> Callable[[Motions, Tensor], Tensor]:
     """The source plus the difference of the mean poses of the two domains' training motions."""
-    known = without_amplitudes(untrained(train))
-    return lambda sources, target: known.shift(sources.x, sources.domain, target)
+    return shift_of(without_amplitudes(untrained(train)))
 
 
 def shift_and_scale(train: Motions) -> Callable[[Motions, Tensor], Tensor]:
     """`Stylizer.shift`: the movement gets the amplitude of the target domain, too."""
-    known = untrained(train)
+    return shift_of(untrained(train))
+
+
+def shift_of(known: Stylizer) -> Callable[[Motions, Tensor], Tensor]:
+    """The `Stylizer.shift` of sources to target domains."""
     return lambda sources, target: known.shift(sources.x, sources.domain, target)
 
 

@@ -141,8 +141,8 @@ class Discriminator(nn.Module):
     """Discriminator D (Table 3d): the logit that a motion is a real motion of a domain.
 
     Table 3d lists a last layer from D domains to D domains. The published code does not have it,
-    and neither does this one. That of `Sizes.detailed` networks departs: it also sees the motion
-    without its mean over time, so that a posture alone does not satisfy it.
+    and neither does this one. With `Sizes.detailed`, D departs from the table: it also sees the
+    motion without its mean over time, so that a posture alone does not satisfy it.
     """
 
     def __init__(self, graph: SkeletonGraph, sizes: Sizes, domains: int):
