@@ -19,7 +19,7 @@ from torch.testing import assert_close
 import toolkit as tk
 from toolkit import stylization as st
 from toolkit.io import model_files
-from toolkit.motion import Skeleton
+from toolkit.motion import Skeleton, rotations as R
 from toolkit.stylization import data, layers, losses, networks, training
 from toolkit.stylization.restyling import calm, jerk, lock_feet, stances
 
@@ -423,18 +423,26 @@ def test_a_blend_is_half_the_network_and_half_the_shift_and_scale(walks, model):
     assert_close(heights[1], wanted, atol=1e-3, rtol=0)
 
 
-def test_held_feet_stand_where_the_source_stands(walks):
+def test_held_feet_stand_and_move_like_those_of_the_source(walks):
     source = data.prepare(walks[0])
-    sliding = source.replace(root_positions=source.root_positions * torch.tensor([1.0, 1.0, 1.25]))
+    torch.manual_seed(0)
+    faster = source.root_positions * torch.tensor([1.0, 1.0, 1.25])
+    trembling = R.normalize(source.rotations + 0.02 * torch.randn_like(source.rotations))
+    sliding = source.replace(root_positions=faster, rotations=trembling)
     standing = tk.contacts.detect(source)
     held = lock_feet(sliding, source)
-    before, after = (tk.metrics.foot_skate(clip, standing) for clip in (sliding, held))
+    skate, before, after = (tk.metrics.foot_skate(clip, standing)
+                            for clip in (source, sliding, held))
     for side in ("right", "left"):
-        assert after[side] < 0.35 * before[side]
-    toe = held.skeleton.index("left_toe")
-    jolt = [clip.global_positions[:, toe].diff(n=2, dim=0).norm(dim=-1).max()
-            for clip in (held, sliding)]
-    assert jolt[0] < 1.5 * jolt[1]
+        assert after[side] < 1.5 * skate[side] < 0.01 * before[side]
+    feet = held.skeleton.both("toe"), held.skeleton.both("foot")
+    for joints in feet:
+        jolt = [clip.global_positions[:, joints].diff(n=3, dim=0).norm(dim=-1).max()
+                for clip in (source, sliding, held)]
+        assert jolt[2] < 1.2 * jolt[0] < 0.1 * jolt[1]
+    length = [(clip.global_positions[:, feet[0]] - clip.global_positions[:, feet[1]]).norm(dim=-1)
+              for clip in (sliding, held)]
+    assert_close(*length, atol=1e-5, rtol=0)
 
 
 def test_stances_of_a_run_at_30_hz_are_found():
@@ -492,7 +500,8 @@ def test_the_command_line_trains_and_restyles(tmp_path, walks, model, command):
     assert f"{len(walks[0])} frames; feet that should stand slide by" in said
     made = tk.bvh.load(tmp_path / "made.bvh")
     wanted = st.stylize(model, tk.bvh.load(tmp_path / "walk.bvh"), "Zombie", 3)
-    assert_close(made.global_positions, wanted.global_positions, atol=1e-4, rtol=0)
+    # a rounded source can turn an arm that touches the body a little farther
+    assert_close(made.global_positions, wanted.global_positions, atol=1e-3, rtol=0)
     assert "say which style by --domain: Neutral, Zombie" in command(call, status=2).err
     train = "train-stylizer --data procedural --styles Neutral,Zombie --gaits FW --clip-seconds 4"
     train += f" --no-mirror --out {tmp_path}/new/run.safetensors --small --iterations 1"

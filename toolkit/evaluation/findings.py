@@ -16,6 +16,7 @@ import torch
 from torch import Tensor
 
 from toolkit.motion import Clip, contacts, rotations as R
+from toolkit.motion.clearance import limbs, trunk
 from toolkit.motion.roles import ROLES, SIDES
 
 STEP = 1 / 30  # seconds between the positions of an acceleration or a jerk, at every rate
@@ -29,7 +30,6 @@ REST = 0.5  # seconds over which a standing body drifts
 ALIKE = 0.3  # largest speed of the toes from the hips, over that of the hips, of a gliding body
 LIFTED = 0.1  # metres above the other: a foot that does not stand at all
 JOIN = 0.2  # seconds between two moments of one finding
-POINTS = 6  # of a bone, between which distances are measured
 
 #: Kind of defect: part of the body: limit of walks, limit of runs. That of drift is ours, because
 #: nobody in the recordings glides.
@@ -235,13 +235,13 @@ def jerks(path: Tensor, fps: float) -> Tensor:
 
 def _bodies(clip: Clip, at: dict[str, Tensor]) -> Iterator[tuple[str, str, Tensor]]:
     """Limbs through the own body, and knees that bend backwards."""
-    trunk, limbs = _trunk(clip), _limbs(clip)
+    axis, points = trunk(clip), limbs(clip)
     for side in SIDES:
-        arm = limbs[f"{side}_hand"]
-        yield "body", f"{side}_hand and trunk", _distance(arm, trunk)
-        thighs = torch.cat([limbs[f"{other}_knee"] for other in SIDES], 1)
+        arm = points[f"{side}_hand"]
+        yield "body", f"{side}_hand and trunk", _distance(arm, axis)
+        thighs = torch.cat([points[f"{other}_knee"] for other in SIDES], 1)
         yield "body", f"{side}_hand and thigh", _distance(arm, thighs)
-    shins = [limbs[f"{side}_foot"] for side in SIDES]
+    shins = [points[f"{side}_foot"] for side in SIDES]
     yield "body", "shins", _distance(*shins)
     across = R.normalize(at["left_hip"] - at["right_hip"])
     ahead = torch.linalg.cross(across, across.new_tensor([0.0, 1.0, 0.0]).expand_as(across))
@@ -262,8 +262,8 @@ def _between(a: int, one: Clip, b: int, other: Clip, apart: float | None) -> lis
         found += _findings("apart", f"hips of {a} and {b}", gap, gap * 0 + apart, one.fps, b)
     if float(gap.min()) > 2.0:  # metres: nobody's arms are so long
         return found
-    mine, theirs = ({"trunk": _trunk(clip)[:frames],
-                     "limb": torch.cat([*_limbs(clip).values()], 1)[:frames]}
+    mine, theirs = ({"trunk": trunk(clip)[:frames],
+                     "limb": torch.cat([*limbs(clip).values()], 1)[:frames]}
                     for clip in (one, other))
     for part, with_, first, second in (
             ("trunk", "trunk", mine, theirs), ("limb", "trunk", mine, theirs),
@@ -287,27 +287,6 @@ def _findings(kind: str, part: str, values: Tensor, limit: Tensor, fps: float,
         found.append(Finding(kind, part, int(some[0]) / fps, (int(some[-1]) + 1) / fps,
                              float(values[at]), float(limit[at]), UNITS[kind], character))
     return found
-
-
-def _trunk(clip: Clip) -> Tensor:
-    """Points ``[F, N, 3]`` on the axis of the trunk, from above the hips to the shoulders."""
-    p, skeleton = clip.global_positions.double(), clip.skeleton
-    hips, chest = p[:, skeleton.role("hips")], p[:, skeleton.trunk[0]]
-    shoulders = p[:, skeleton.both("shoulder")].mean(1)
-    return torch.cat((_points(hips, chest)[:, 1:], _points(chest, shoulders)[:, 1:]), 1)
-
-
-def _limbs(clip: Clip) -> dict[str, Tensor]:
-    """Points ``[F, N, 3]`` on the bones of the limbs, without their first, by the end's role."""
-    p, skeleton = clip.global_positions.double(), clip.skeleton
-    bones = ("elbow", "hand"), ("hip", "knee"), ("knee", "foot")
-    return {f"{side}_{end}": _points(p[:, skeleton.role(f"{side}_{start}")],
-                                     p[:, skeleton.role(f"{side}_{end}")])[:, 1:]
-            for side in SIDES for start, end in bones}
-
-
-def _points(a: Tensor, b: Tensor) -> Tensor:
-    return a[:, None].lerp(b[:, None], torch.linspace(0, 1, POINTS).to(a)[:, None])
 
 
 def _distance(a: Tensor, b: Tensor) -> Tensor:

@@ -312,7 +312,7 @@ def turn_arms(skeleton: Skeleton, rotations: Tensor, root: Tensor, wanted: Tenso
     turned, positions = forward_kinematics(skeleton, rotations, root)
     for joints, ends in arm_bones(skeleton):
         aim(skeleton, turned, positions, joints, ends, wanted)
-    return _ends_follow(skeleton, turned)
+    return with_world_rotations(skeleton, turned)
 
 
 def aim(skeleton: Skeleton, turned: Tensor, positions: Tensor, joints: list[int], ends: list[int],
@@ -327,20 +327,26 @@ def aim(skeleton: Skeleton, turned: Tensor, positions: Tensor, joints: list[int]
     positions[..., ends, :] = positions[..., joints, :] + R.rotate(turn, bone)
 
 
-def plant_feet(skeleton: Skeleton, rotations: Tensor, root: Tensor, toes: Tensor) -> Tensor:
+def plant_feet(skeleton: Skeleton, rotations: Tensor, root: Tensor, toes: Tensor,
+               soles: Tensor | None = None) -> Tensor:
     """Local rotations ``[..., J, 4]`` with the legs bent so that toes meet their targets (§ 4.4).
 
-    The feet keep their orientation. ``rotations [..., J, 4]`` are local, ``root [..., 3]`` is the
-    root's position and ``toes [..., 2, 3]`` are the targets, right and left, in the world, metres.
+    ``rotations [..., J, 4]`` are local, ``root [..., 3]`` is the root's position and ``toes [...,
+    2, 3]`` are the targets, right and left, in the world, metres. The feet keep their orientation,
+    or turn so that the toe lies in the direction ``soles [..., 2, 3]`` from the ankle.
     """
     turned, positions = forward_kinematics(skeleton, rotations, root)
     legs = [*map(skeleton.both, LEG)]
+    if soles is not None:
+        wanted = positions.clone()
+        wanted[..., legs[3], :] = positions[..., legs[2], :] + soles
+        aim(skeleton, turned, positions, *legs[2:], wanted)
     a, b, c, toe = (positions[..., joints, :] for joints in legs)
     middle, end = two_bone(a, b, c, toes - (toe - c), left=_left(a))
     turn = R.between(torch.stack((b - a, c - b)), torch.stack((middle - a, end - middle)))
-    for joints, aim in zip(legs, turn, strict=False):
-        turned[..., joints, :] = R.multiply(aim, turned[..., joints, :])
-    return _ends_follow(skeleton, turned)
+    for joints, aimed in zip(legs, turn, strict=False):
+        turned[..., joints, :] = R.multiply(aimed, turned[..., joints, :])
+    return with_world_rotations(skeleton, turned)
 
 
 def leg_chain(skeleton: Skeleton) -> list[int]:
@@ -366,7 +372,7 @@ def _left(hips: Tensor) -> Tensor:
     return hips[..., 1:, :] - hips[..., :1, :]
 
 
-def _ends_follow(skeleton: Skeleton, turned: Tensor) -> Tensor:
-    """Local rotations of global ones; End Sites follow their parents."""
+def with_world_rotations(skeleton: Skeleton, turned: Tensor) -> Tensor:
+    """Local rotations of those in the world ``[..., J, 4]``; End Sites follow their parents."""
     follow = [skeleton.parents[j] if skeleton.is_end(j) else j for j in range(len(skeleton))]
     return local_rotations(skeleton, turned[..., follow, :])

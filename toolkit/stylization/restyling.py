@@ -1,20 +1,25 @@
 """Restyle a clip of any length by noise or by a reference clip."""
 
+import numpy as np
 import torch
-from scipy.interpolate import PchipInterpolator
-from scipy.ndimage import gaussian_filter1d
+from scipy import sparse
+from scipy.ndimage import binary_dilation, gaussian_filter1d
+from scipy.sparse.linalg import spsolve
 from torch import Tensor
 from torch.nn import functional
 
 from toolkit.features.splits import generator
 from toolkit.motion import Clip, contacts, rotations as R
-from toolkit.motion.ik import plant_feet
+from toolkit.motion.clearance import arms_out, covering
+from toolkit.motion.ik import LEG, plant_feet
 from toolkit.stylization.data import FPS, FRAMES, describe, prepare, to_clip, windows
 from toolkit.stylization.networks import SHRINK, Stylizer
 
 PACE = 0.25  # of the root's speed: a slower toe may stand, also one of a runner
 WIDTHS = range(1, 6)  # deviations of the filter of changes, frames
-RELEASE = 0.25  # seconds over which the height of the body follows that of its standing toes
+AROUND = 2  # frames before and after a stance in which the foot stands as well
+SMOOTH, STILL, LEVEL = 500.0, 1e4, 100.0  # weights of `settled`, at 30 Hz
+STRETCH, DEEPEST = 0.99, 0.1  # of a leg's length, at most; metres by which hips sink, at most
 
 
 def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 0, *,
@@ -38,7 +43,7 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
         half the shift and scale from this style to the domain. It keeps more gaits than the network
         (docs/embedded_model.md).
     feet
-        Whether to remove foot skate (`lock_feet`).
+        Whether to remove foot skate (`lock_feet`), and to turn arms out of the body (`arms_out`).
 
     Raises
     ------
@@ -69,7 +74,7 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
         made = (made + model.shift(x[None], blend, domain)[0]) / 2
     result = to_clip(made, root_velocity, source)
     if feet:
-        result = lock_feet(result, source)
+        result = arms_out(lock_feet(result, source))
     # End Sites do not turn
     rotations = R.identity(len(result), len(clip.skeleton))
     joints = [clip.skeleton.names.index(name) for name in source.skeleton.names]
@@ -119,39 +124,47 @@ def stances(clip: Clip) -> Tensor:
 
 
 def lock_feet(clip: Clip, source: Clip) -> Clip:
-    """Foot-skate removal (section 7): in a stance of the source the toe stays at its mean place.
+    """Foot-skate removal (section 7): a foot that stands in the source stands in the result.
 
-    Both clips have the same length, rate and skeleton. A standing toe has the height of the
-    source's, and no toe is below the source's lowest. The whole body moves up or down by the mean
-    height error of standing toes within `RELEASE` of a frame, so that legs need not stretch.
+    Both clips have the same length, rate and skeleton. Ankles and toes move as the source's plus a
+    smooth change, which stays the same in each stance (`settled`): so they land and take off as
+    the source's do. A standing toe has the height of the source's, and no toe is below its lowest.
+    The hips sink where a leg would be stretched farther than `STRETCH` of its length.
     """
-    standing = stances(source) > 0.5
-    toes = clip.skeleton.both("toe")
-    made, height = clip.global_positions[:, toes], source.global_positions[:, toes, 1]
-    release = round(RELEASE * clip.fps)
-    # by how much the body is too low, the mean over standing toes of the frames around
-    error = ((height - made[..., 1]) * standing).sum(1)
-    around, weight = functional.avg_pool1d(torch.stack((error, standing.sum(1).float()))[:, None],
-                                           2 * release + 1, stride=1, padding=release)[:, 0]
-    rise = torch.zeros(len(clip), 3)
-    rise[:, 1] = around / weight.clamp_min(1e-6)
-    made = made + rise[:, None]
-    shifts = map(_shift, made.unbind(1), height.unbind(1), standing.unbind(1))
-    targets = made + torch.stack([*shifts], 1)
-    targets[..., 1].clamp_(min=float(height.min()))
-    root = clip.root_positions + rise
-    rotations = plant_feet(clip.skeleton, clip.rotations, root, targets)
+    standing = binary_dilation(stances(source) > 0.5, np.ones((2 * AROUND + 1, 1)))
+    skeleton, level = clip.skeleton, [0, 2]
+    feet, toes = skeleton.both("foot"), skeleton.both("toe")
+    made, own = clip.global_positions, source.global_positions
+    wanted = own.clone()
+    for ankle, toe, stands in zip(feet, toes, standing.T, strict=True):
+        wanted[:, ankle] += settled((made - own)[:, ankle], stands)
+        wanted[:, toe, level] += settled((made - own)[:, toe, level], stands)
+        wanted[:, toe, 1] += settled((made - own)[:, toe, 1], stands, LEVEL)
+    targets, soles = wanted[:, toes], wanted[:, toes] - wanted[:, feet]
+    targets[..., 1].clamp_(min=float(own[:, toes, 1].min()))
+
+    # how far the hips must go down, so that legs reach
+    hip, knee, ankle, toe = (made[:, skeleton.both(part)] for part in LEG)
+    reach = STRETCH * ((knee - hip).norm(dim=-1) + (ankle - knee).norm(dim=-1))
+    soles = soles * ((toe - ankle).norm(dim=-1) / soles.norm(dim=-1))[..., None]
+    apart = hip - (targets - soles)
+    height = (reach.square() - apart[..., level].square().sum(-1)).clamp_min(0.0).sqrt()
+    root = clip.root_positions.clone()
+    root[:, 1] -= covering((apart[..., 1] - height).amax(1).clamp_max(DEEPEST), clip.fps)
+    rotations = plant_feet(skeleton, clip.rotations, root, targets, soles)
     return clip.replace(rotations=rotations, root_positions=root)
 
 
-def _shift(toe: Tensor, height: Tensor, standing: Tensor) -> Tensor:
-    """Shift ``[F, 3]`` of one toe: to one place in each stance, interpolated between stances."""
-    frames = standing.nonzero()[:, 0]
-    if len(frames) < 2:
-        return torch.zeros_like(toe)
-    wanted = torch.stack((toe[:, 0], height, toe[:, 2]), 1)[frames]
-    lengths = functional.pad(standing.int(), (1, 1)).diff().nonzero().view(-1, 2).diff()[:, 0]
-    places = torch.cat([part.mean(0).expand_as(part) for part in wanted.split(lengths.tolist())])
-    curve = PchipInterpolator(frames, places - toe[frames])
-    times = torch.arange(len(toe)).clamp(int(frames[0]), int(frames[-1]))
-    return torch.from_numpy(curve(times)).float()
+def settled(change: Tensor, standing: np.ndarray, level: float = 0.0) -> Tensor:
+    """The smooth curve ``[F, ...]`` near a change ``[F, ...]`` that is constant in each stance.
+
+    Its sum of squares is the least: of the distance from the change; `SMOOTH`, of third
+    differences; `STILL`, of first ones in stances; ``level``, of the curve itself in stances.
+    """
+    frames = len(change)
+    steps, jolts = (sparse.diags(signs, range(len(signs)), shape=(frames - len(signs) + 1, frames))
+                    for signs in ([-1.0, 1.0], [-1.0, 3.0, -3.0, 1.0]))
+    still = sparse.diags((standing[1:] & standing[:-1]).astype(float))
+    squares = sparse.diags(1.0 + level * standing) + STILL * steps.T @ still @ steps
+    curve = spsolve((squares + SMOOTH * jolts.T @ jolts).tocsc(), change.double().numpy())
+    return torch.from_numpy(curve).to(change)

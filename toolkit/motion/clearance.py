@@ -1,0 +1,84 @@
+"""Trunk and limbs as points on the axes of their bones, and arms that keep clear of the body."""
+
+import torch
+from scipy.ndimage import gaussian_filter1d, maximum_filter1d
+from torch import Tensor
+
+from toolkit.motion import rotations as R
+from toolkit.motion.clip import Clip
+from toolkit.motion.ik import with_world_rotations
+from toolkit.motion.roles import SIDES
+
+POINTS = 6  # of a bone, between which distances are measured
+# Metres that forearms keep from the axes of trunk and thighs. In 99.9 % of the frames of recorded
+# walks they are a little less away at least (`toolkit.evaluation.findings.LIMITS`).
+TRUNK, THIGH = 0.085, 0.065
+DROP = 0.1  # metres below the shoulder from which turning the arm moves a point well aside
+WIDEST = 1.0  # radians by which an arm is turned at most
+EASE = 0.2  # seconds in which a correction comes and goes
+ROUNDS = 2  # the turned arm moves on an arc, not straight
+
+
+def trunk(clip: Clip) -> Tensor:
+    """Points ``[F, N, 3]`` on the axis of the trunk, from above the hips to the shoulders."""
+    p, skeleton = clip.global_positions.double(), clip.skeleton
+    hips, chest = p[:, skeleton.role("hips")], p[:, skeleton.trunk[0]]
+    shoulders = p[:, skeleton.both("shoulder")].mean(1)
+    return torch.cat((_points(hips, chest)[:, 1:], _points(chest, shoulders)[:, 1:]), 1)
+
+
+def limbs(clip: Clip) -> dict[str, Tensor]:
+    """Points ``[F, N, 3]`` on the bones of the limbs, without their first, by the end's role."""
+    p, skeleton = clip.global_positions.double(), clip.skeleton
+    bones = ("elbow", "hand"), ("hip", "knee"), ("knee", "foot")
+    return {f"{side}_{end}": _points(p[:, skeleton.role(f"{side}_{start}")],
+                                     p[:, skeleton.role(f"{side}_{end}")])[:, 1:]
+            for side in SIDES for start, end in bones}
+
+
+def _points(a: Tensor, b: Tensor) -> Tensor:
+    return a[:, None].lerp(b[:, None], torch.linspace(0, 1, POINTS).to(a)[:, None])
+
+
+def arms_out(clip: Clip, trunk_gap: float = TRUNK, thigh_gap: float = THIGH) -> Clip:
+    """The clip with arms turned away from the body where a forearm is in its trunk or thighs.
+
+    Both arms turn about the shoulder, sideways, by the least angle that brings all points of the
+    forearm as far as the gaps (metres) from the axes of trunk and thighs. Before and after such a
+    moment the angle grows and falls within `EASE`.
+    """
+    skeleton = clip.skeleton
+    points, places = limbs(clip), clip.global_positions.double()
+    thighs, axis = torch.cat([points[f"{side}_knee"] for side in SIDES], 1), trunk(clip)
+    left, right = (places[:, skeleton.role(f"{side}_hip")] for side in ("left", "right"))
+    across = R.normalize((left - right) * left.new_tensor([1.0, 0.0, 1.0]))
+    down = across.new_tensor([0.0, -1.0, 0.0]).expand_as(across)
+    for side, outwards in [("left", across), ("right", -across)] * ROUNDS:
+        shoulder, arm = skeleton.role(f"{side}_shoulder"), limbs(clip)[f"{side}_hand"]
+        lack = torch.maximum(_lack(arm, axis, outwards, trunk_gap),
+                             _lack(arm, thighs, outwards, thigh_gap))
+        if not bool(lack.any()):
+            continue
+        drop = (places[:, None, shoulder, 1] - arm[..., 1]).clamp_min(DROP)
+        angle = covering((lack / drop).amax(1).clamp_max(WIDEST), clip.fps)
+        turn = R.from_axis_angle(torch.linalg.cross(down, outwards), angle).float()
+        turned, below = clip.global_rotations.clone(), skeleton.tree.below(shoulder)
+        turned[:, below] = R.normalize(R.multiply(turn[:, None], turned[:, below]))
+        clip = clip.replace(rotations=with_world_rotations(skeleton, turned))
+    return clip
+
+
+def _lack(points: Tensor, others: Tensor, outwards: Tensor, gap: float) -> Tensor:
+    """How far points ``[F, N, 3]`` must go ``outwards [F, 3]`` to be ``gap`` from all others."""
+    apart = points[:, :, None] - others[:, None]
+    aside = (apart * outwards[:, None, None]).sum(-1)
+    beside = apart.square().sum(-1) - aside.square()  # squared distance of the line outwards
+    return ((gap**2 - beside).clamp_min(0.0).sqrt() - aside).where(beside < gap**2, 0.0).amax(2)
+
+
+def covering(need: Tensor, fps: float) -> Tensor:
+    """The smooth curve ``[F]`` that is nowhere below ``need [F]``, and 0 beyond `EASE` of it."""
+    reach = max(1, round(EASE * fps))
+    high = maximum_filter1d(need.clamp_min(0.0).numpy(), 2 * reach + 1, mode="nearest")
+    smooth = gaussian_filter1d(high, reach / 2, mode="nearest", radius=reach)
+    return torch.from_numpy(smooth)
