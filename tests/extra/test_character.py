@@ -8,6 +8,7 @@ import math
 import motion_files
 import numpy as np
 import pytest
+import torch
 from PIL import Image
 from refusal import refusal
 from test_export import seen_by_vtk
@@ -15,7 +16,9 @@ from test_export import seen_by_vtk
 import toolkit as tk
 from toolkit.extra.characters import gltf_mesh
 from toolkit.extra.characters.character import Character
+from toolkit.extra.characters.retargeting import retarget
 from toolkit.extra.engines import character_gltf
+from toolkit.motion.clearance import limbs, trunk
 from toolkit.view.render import stage
 
 
@@ -109,6 +112,21 @@ def test_other_programs_see_the_motion_on_it(request, tmp_path, kind, zombie):
     assert len(about["animations"]) == 1
     if kind != "fbx":
         assert about["materials"] == motion_files.glb_parts(character.path)[0]["materials"]
+
+
+def test_arms_stay_outside_of_a_stout_body(hero, walk_clip):
+    thin, clip = Character.load(hero), walk_clip.cut(0, 120)
+    wide = thin.mesh.points * np.float32([1.5, 1.0, 1.5])
+    stout = dataclasses.replace(thin, mesh=dataclasses.replace(thin.mesh, points=wide))
+    assert min(stout.gaps) > 1.3 * min(thin.gaps)
+    least = []
+    for made in (retarget(clip, stout.rest), stout.fitted(clip)):
+        points = limbs(made)
+        body = trunk(made), torch.cat((points["left_knee"], points["right_knee"]), 1)
+        arms = torch.cat((points["left_hand"], points["right_hand"]), 1)
+        least.append([float(torch.cdist(arms, axis).min()) for axis in body])
+    assert all(gap > stout.gaps[k] - 0.005 for k, gap in enumerate(least[1]))
+    assert least[0][1] < stout.gaps[1] - 0.02
 
 
 def test_a_stage_draws_it_in_place_of_the_mannequin(hero, zombie):

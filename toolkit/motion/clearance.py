@@ -6,8 +6,8 @@ from torch import Tensor
 
 from toolkit.motion import rotations as R
 from toolkit.motion.clip import Clip
-from toolkit.motion.ik import with_world_rotations
 from toolkit.motion.roles import SIDES
+from toolkit.motion.skeleton import local_rotations
 
 POINTS = 6  # of a bone, between which distances are measured
 # Metres that forearms keep from the axes of trunk and thighs. In 99.9 % of the frames of recorded
@@ -64,7 +64,7 @@ def arms_out(clip: Clip, trunk_gap: float = TRUNK, thigh_gap: float = THIGH) -> 
         turn = R.from_axis_angle(torch.linalg.cross(down, outwards), angle).float()
         turned, below = clip.global_rotations.clone(), skeleton.tree.below(shoulder)
         turned[:, below] = R.normalize(R.multiply(turn[:, None], turned[:, below]))
-        clip = clip.replace(rotations=with_world_rotations(skeleton, turned))
+        clip = clip.replace(rotations=local_rotations(skeleton, turned))
     return clip
 
 

@@ -312,7 +312,7 @@ def turn_arms(skeleton: Skeleton, rotations: Tensor, root: Tensor, wanted: Tenso
     turned, positions = forward_kinematics(skeleton, rotations, root)
     for joints, ends in arm_bones(skeleton):
         aim(skeleton, turned, positions, joints, ends, wanted)
-    return with_world_rotations(skeleton, turned)
+    return _ends_follow(skeleton, turned)
 
 
 def aim(skeleton: Skeleton, turned: Tensor, positions: Tensor, joints: list[int], ends: list[int],
@@ -346,7 +346,7 @@ def plant_feet(skeleton: Skeleton, rotations: Tensor, root: Tensor, toes: Tensor
     turn = R.between(torch.stack((b - a, c - b)), torch.stack((middle - a, end - middle)))
     for joints, aimed in zip(legs, turn, strict=False):
         turned[..., joints, :] = R.multiply(aimed, turned[..., joints, :])
-    return with_world_rotations(skeleton, turned)
+    return _ends_follow(skeleton, turned)
 
 
 def leg_chain(skeleton: Skeleton) -> list[int]:
@@ -372,7 +372,7 @@ def _left(hips: Tensor) -> Tensor:
     return hips[..., 1:, :] - hips[..., :1, :]
 
 
-def with_world_rotations(skeleton: Skeleton, turned: Tensor) -> Tensor:
+def _ends_follow(skeleton: Skeleton, turned: Tensor) -> Tensor:
     """Local rotations of those in the world ``[..., J, 4]``; End Sites follow their parents."""
     follow = [skeleton.parents[j] if skeleton.is_end(j) else j for j in range(len(skeleton))]
     return local_rotations(skeleton, turned[..., follow, :])

@@ -15,11 +15,13 @@ from toolkit.extra.characters.gltf_mesh import SkinnedMesh
 from toolkit.extra.characters.retargeting import leaders, retarget
 from toolkit.extra.formats.nodes import END
 from toolkit.motion import Clip, Skeleton, rotations as R
+from toolkit.motion.clearance import THIGH, TRUNK, arms_out, limbs, trunk
 from toolkit.motion.contacts import standing_height
 from toolkit.motion.roles import SIDES
 from toolkit.motion.skeleton import local_rotations
 from toolkit.view.render.skin import Skin
 
+SOFT = 0.02  # metres by which an arm may press into the body
 HIGH = 0.15  # metres: a toe that is higher above the lowest vertex tells nothing about the sole
 
 
@@ -62,9 +64,11 @@ class Character:
         return self.rest.skeleton
 
     def fitted(self, clip: Clip) -> Clip:
-        """A clip on the character's rig, with the soles of its mesh on the floor."""
+        """A clip on the character's rig: soles of its mesh on the floor, arms out of its body."""
         made = retarget(clip, self.rest)
-        return made if made is clip else made.moved(shift=(0.0, self.sole(made), 0.0))
+        if made is clip:
+            return clip
+        return arms_out(made.moved(shift=(0.0, self.sole(made), 0.0)), *self.gaps)
 
     def following(self, clip: Clip) -> dict:
         """How the rig follows the joints of a clip's skeleton frame by frame, without foot IK.
@@ -94,6 +98,26 @@ class Character:
         if rise >= HIGH:
             return 0.0
         return rise - float(standing_height(clip.replace(skeleton=with_toes(clip.skeleton))))
+
+    @cached_property
+    def gaps(self) -> tuple[float, float]:
+        """Metres that forearms keep from the axes of trunk and thighs: half of the two thicknesses.
+
+        Each thickness is the median over the vertices that a joint moves most. Flesh gives way by
+        `SOFT`. A thin character keeps what people keep (`toolkit.motion.clearance`).
+        """
+        skeleton, points = self.skeleton, limbs(self.rest)
+        mine = self.mesh.joints[np.arange(len(self.points)), self.mesh.weights.argmax(1)]
+        around = {"trunk": (skeleton.trunk, trunk(self.rest))}
+        for part, end in (("hip", "knee"), ("elbow", "hand")):
+            axes = [points[f"{side}_{end}"] for side in SIDES]
+            around[part] = skeleton.both(part), torch.cat(axes, 1)
+        half = {}
+        for part, (joints, axis) in around.items():
+            flesh = torch.from_numpy(self.points[np.isin(mine, joints)]).to(axis)
+            half[part] = float(torch.cdist(flesh, axis[0]).amin(1).nanmedian()) if len(flesh) else 0
+        return tuple(max(least, half[part] + half["elbow"] - SOFT)
+                     for part, least in (("trunk", TRUNK), ("hip", THIGH)))
 
     @cached_property
     def skin(self) -> Skin:

@@ -202,7 +202,7 @@ def _plant(clip: Clip, made: Clip, turned: dict[int, Tensor], scale: float,
     skeleton = made.skeleton
     wanted, toes, contact = scale * toes_of(clip), toes_of(made), detect(clip)
     wanted[..., 1] += floor - scale * standing_height(clip)
-    turned = dict(turned)
+    turned, hips = dict(turned), made.global_positions[:, skeleton.both("hip")]
     for foot, side in enumerate(FEET):
         hip, knee, ankle = (skeleton.role(f"{side}_{part}") for part in ("hip", "knee", "foot"))
         a, b, c = (made.global_positions[:, j] for j in (hip, knee, ankle))
@@ -213,7 +213,7 @@ def _plant(clip: Clip, made: Clip, turned: dict[int, Tensor], scale: float,
         full = ((b - a).norm(dim=-1) + (c - b).norm(dim=-1))[:, None]
         # a leg without correction keeps its bend
         soft = (1 - R.length(c - a) / full).clamp(0.0, SOFT)
-        middle, end = two_bone(a, b, c, c + shift, soft=soft)
+        middle, end = two_bone(a, b, c, c + shift, soft=soft, left=hips[:, 1] - hips[:, 0])
         for joint, old, new in ((hip, b - a, middle - a), (knee, c - b, end - middle)):
             turned[joint] = R.multiply(R.between(old, new), turned[joint])
     return turned

@@ -17,7 +17,7 @@ from toolkit.evaluation import findings
 from toolkit.features import CHANNELS, FRAME_KINDS, Layout
 from toolkit.io import bvh
 from toolkit.io.save import figure_of
-from toolkit.motion import Clip, Skeleton
+from toolkit.motion import Clip, Skeleton, clearance
 from toolkit.networks import Predictor
 from toolkit.networks.film import EPSILON
 from toolkit.runtime import rules
@@ -175,6 +175,7 @@ def gate(skeleton: Skeleton) -> dict[str, Any]:
     if not set(findings.ROLES) <= set(skeleton.roles or ()):
         return {}
     return constants(findings) | {
+        "POINTS": clearance.POINTS,
         "limits": findings.LIMITS, "units": findings.UNITS, "least": findings.LEAST,
         "others": {" ".join(pair): least for pair, least in findings.OTHERS.items()},
         "roles": {role: skeleton.role(role) for role in findings.ROLES},

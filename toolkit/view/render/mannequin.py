@@ -131,7 +131,7 @@ def build(clip: Clip, vertices: int = VERTICES) -> Mannequin:
     if reach > LARGEST:
         raise ValueError(f"{clip.name}: its positions reach {reach:.3g} m, and at most "
                          f"{LARGEST:g} m can be drawn; the unit of length may be wrong (--unit)")
-    parts = _humanoid(clip) if clip.skeleton.has(*LIMBS) else []
+    parts = _humanoid(clip) if clip.skeleton.has(*LIMBS, "toe") else []
     parts += _bones(clip, {part.joint for part in parts})
     if not parts:
         raise ValueError(f"{clip.name}: no bone is long enough to be given a body")
