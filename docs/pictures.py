@@ -1,12 +1,13 @@
 """Make the pictures of these pages again, in three minutes on one core.
 
-``python docs/pictures.py [--published FOLDER --real FOLDER --run FILE]``. Without the folder of the
-published parameters (Mason et al. 2022), the pictures in ``side_by_side`` and those of the other
-two options stay as they are.
+``python docs/pictures.py [--published FOLDER --real FOLDER --run FILE --stylizers FOLDER]``.
+Without the folder of the published parameters (Mason et al. 2022), the pictures in ``side_by_side``
+and those of the other options stay as they are.
 """
 
 import contextlib
 import functools
+import io
 import shutil
 import sys
 import tempfile
@@ -31,6 +32,11 @@ sys.path += [str(Path(__file__).parents[1] / folder) for folder in (".", "notebo
 from course.looping import loop
 
 from experiments import crowds
+from experiments.stylization import comparison, rotation, sets
+from toolkit.motion.clearance import arms_out
+from toolkit.stylization import data
+from toolkit.stylization.restyling import lock_feet
+from toolkit.stylization.training import Config
 
 OUT = Path(__file__).parent
 STATIC = OUT.parent / "toolkit" / "view" / "static"
@@ -62,6 +68,7 @@ BESIDE = {
 PUBLISHED = typer.Option(help="Folder of the published parameters.")
 REAL = typer.Option(help="Folder of 100STYLE, for the picture of feet.")
 RUN = typer.Option(help="LPN-FiLM of a hundred styles, for the strips.")
+STYLIZERS = typer.Option(help="Folder of `stylization-rotation`, for its picture.")
 BLENDED = ("Neutral", "Zombie", "Aeroplane", "Strut")  # the styles of the picture in the README
 
 
@@ -167,6 +174,54 @@ def restyle(seconds: float = 4.0) -> None:
         view=75,
         progress=True,
     )
+
+
+def recorded(seconds: float = 5.0) -> None:
+    """Write a film of five styles of the model of recorded people, each at its usual speed."""
+    model, bank = tk.pretrained("recorded")
+    names = "normal", "feminine", "exhausted", "proud", "old"
+    walks = [rollout(model, bank, name, bank.speed(name), seconds) for name in names]
+    tk.view.animate(walks, OUT / "recorded.webp", labels=names, fps=10.0, height=160, view=60,
+                    progress=True)
+
+
+def stylised(runs: Path) -> None:
+    """Write strips of an active bow, wave, run and walk as tired, by three ways and their blend.
+
+    ``runs`` is the folder ``--out`` of ``experiments stylization-rotation``.
+    """
+    group, (old, new) = rotation.GROUPS[0], ("active", "tired")
+    train = sets.few_takes(sets.dissimilar(), group, sets.CONTENTS).train
+    ours, plain = (comparison.trained(method, train, Config.quick(seed=0, iterations=2000),
+                                      runs / f"1-{comparison.slug(method)}-0")[0]
+                   for method in ("ours", "1-D convolutions"))
+    takes = {old: {}, new: {}}
+    for clip in tk.datasets.load("bandai", dataset=1, styles=[*takes]):
+        takes[clip.style][clip.gait] = clip
+    pictures = []
+    for gait in ("bow", "bye", "run", "walk"):
+        clip, stylize = takes[old][gait], tk.stylization.stylize
+        source = data.prepare(clip, ours.skeleton)
+        x, velocity = data.describe(source)
+        moved = data.to_clip(ours.shift(x[None], old, new)[0], velocity, source)
+        rows = {f"{old} {gait}: source": clip,
+                "shift and scale": arms_out(lock_feet(moved, source)),
+                f"ours, {new}": stylize(ours, clip, new),
+                f"blend, {new}": stylize(ours, clip, new, blend=old),
+                "1-D convolutions": stylize(plain, clip, new),
+                f"a real {new} {gait}": takes[new][gait]}
+        for name, row in rows.items():
+            print(name, len(tk.evaluation.defects(row)), "defects")
+        file = io.BytesIO()
+        first = [row.cut(0, min(len(row), round(5 * row.fps))) for row in rows.values()]
+        tk.view.strip(first, labels=list(rows), frames=6, width=5, dpi=100).savefig(file)
+        pictures.append(Image.open(file).convert("RGB"))
+    width = max(picture.width for picture in pictures)
+    heights = [max(picture.height for picture in pictures[k : k + 2]) for k in (0, 2)]
+    whole = Image.new("RGB", (2 * width, sum(heights)), pictures[0].getpixel((0, 0)))
+    for k, picture in enumerate(pictures):
+        whole.paste(picture, (k % 2 * width, k // 2 * heights[0]))
+    whole.quantize(64).save(OUT / "stylisation.png", optimize=True)
 
 
 class Tinted(Body):
@@ -277,6 +332,7 @@ def main(
     published: Annotated[Path | None, PUBLISHED] = None,
     real: Annotated[Path | None, REAL] = None,
     run: Annotated[Path | None, RUN] = None,
+    stylizers: Annotated[Path | None, STYLIZERS] = None,
 ) -> None:
     """Make every picture in this folder again."""
     torch.set_num_threads(1)
@@ -310,6 +366,9 @@ def main(
         )
 
     restyle()
+    recorded()
+    if stylizers is not None:
+        stylised(stylizers)
     embedded = tk.pretrained()
     tk.view.animate(
         blended(*embedded),

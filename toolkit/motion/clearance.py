@@ -1,7 +1,6 @@
 """Trunk and limbs as points on the axes of their bones, and arms that keep clear of the body."""
 
 import torch
-from scipy.ndimage import gaussian_filter1d, maximum_filter1d
 from torch import Tensor
 
 from toolkit.motion import rotations as R
@@ -53,18 +52,21 @@ def arms_out(clip: Clip, trunk_gap: float = TRUNK, thigh_gap: float = THIGH) -> 
     left, right = (places[:, skeleton.role(f"{side}_hip")] for side in ("left", "right"))
     across = R.normalize((left - right) * left.new_tensor([1.0, 0.0, 1.0]))
     down = across.new_tensor([0.0, -1.0, 0.0]).expand_as(across)
-    for side, outwards in [("left", across), ("right", -across)] * ROUNDS:
-        shoulder, arm = skeleton.role(f"{side}_shoulder"), limbs(clip)[f"{side}_hand"]
-        lack = torch.maximum(_lack(arm, axis, outwards, trunk_gap),
-                             _lack(arm, thighs, outwards, thigh_gap))
-        if not bool(lack.any()):
-            continue
-        drop = (places[:, None, shoulder, 1] - arm[..., 1]).clamp_min(DROP)
-        angle = covering((lack / drop).amax(1).clamp_max(WIDEST), clip.fps)
-        turn = R.from_axis_angle(torch.linalg.cross(down, outwards), angle).float()
-        turned, below = clip.global_rotations.clone(), skeleton.tree.below(shoulder)
-        turned[:, below] = R.normalize(R.multiply(turn[:, None], turned[:, below]))
-        clip = clip.replace(rotations=local_rotations(skeleton, turned))
+    for side, outwards in (("left", across), ("right", -across)):
+        shoulder = skeleton.role(f"{side}_shoulder")
+        below = skeleton.tree.below(shoulder)
+        for _ in range(ROUNDS):
+            arm = limbs(clip)[f"{side}_hand"]
+            lack = torch.maximum(_lack(arm, axis, outwards, trunk_gap),
+                                 _lack(arm, thighs, outwards, thigh_gap))
+            if not bool(lack.any()):
+                break
+            drop = (places[:, None, shoulder, 1] - arm[..., 1]).clamp_min(DROP)
+            angle = covering((lack / drop).amax(1).clamp_max(WIDEST), clip.fps)
+            turn = R.from_axis_angle(torch.linalg.cross(down, outwards), angle).float()
+            turned = clip.global_rotations.clone()
+            turned[:, below] = R.normalize(R.multiply(turn[:, None], turned[:, below]))
+            clip = clip.replace(rotations=local_rotations(skeleton, turned))
     return clip
 
 
@@ -78,6 +80,8 @@ def _lack(points: Tensor, others: Tensor, outwards: Tensor, gap: float) -> Tenso
 
 def covering(need: Tensor, fps: float) -> Tensor:
     """The smooth curve ``[F]`` that is nowhere below ``need [F]``, and 0 beyond `EASE` of it."""
+    from scipy.ndimage import gaussian_filter1d, maximum_filter1d  # a live character needs none
+
     reach = max(1, round(EASE * fps))
     high = maximum_filter1d(need.clamp_min(0.0).numpy(), 2 * reach + 1, mode="nearest")
     smooth = gaussian_filter1d(high, reach / 2, mode="nearest", radius=reach)

@@ -1,10 +1,11 @@
 """Restyle a clip of any length by noise or by a reference clip."""
 
+from itertools import product
+
 import numpy as np
 import torch
-from scipy import sparse
+from scipy.linalg import solveh_banded
 from scipy.ndimage import binary_dilation, gaussian_filter1d
-from scipy.sparse.linalg import spsolve
 from torch import Tensor
 from torch.nn import functional
 
@@ -161,10 +162,15 @@ def settled(change: Tensor, standing: np.ndarray, level: float = 0.0) -> Tensor:
     Its sum of squares is the least: of the distance from the change; `SMOOTH`, of third
     differences; `STILL`, of first ones in stances; ``level``, of the curve itself in stances.
     """
-    frames = len(change)
-    steps, jolts = (sparse.diags(signs, range(len(signs)), shape=(frames - len(signs) + 1, frames))
-                    for signs in ([-1.0, 1.0], [-1.0, 3.0, -3.0, 1.0]))
-    still = sparse.diags((standing[1:] & standing[:-1]).astype(float))
-    squares = sparse.diags(1.0 + level * standing) + STILL * steps.T @ still @ steps
-    curve = spsolve((squares + SMOOTH * jolts.T @ jolts).tocsc(), change.double().numpy())
-    return torch.from_numpy(curve).to(change)
+    frames, jolt = len(change), (-1.0, 3.0, -3.0, 1.0)
+    still = STILL * (standing[1:] & standing[:-1])
+    # the diagonal of the system of equations and the three below it
+    bands = np.zeros((4, frames))
+    for k, m in product(range(4), repeat=2):
+        if k + m < 4:
+            bands[k, m : m + frames - 3] += SMOOTH * jolt[m] * jolt[m + k]
+    bands[0] += 1.0 + level * standing
+    bands[0, 1:] += still
+    bands[0, :-1] += still
+    bands[1, :-1] -= still
+    return torch.from_numpy(solveh_banded(bands, change.double().numpy(), lower=True)).to(change)
