@@ -1,8 +1,8 @@
 """Motion features of Park et al. 2021 (section 4): windows of positions and rotations of joints.
 
 A motion is ``x [7, T, N]`` at 30 Hz: the position (metres) and the unit quaternion of every joint
-in the root frame, whose origin is the root on the ground. The velocity of the root is stored beside
-it and never changed. End Sites have no features.
+in the root frame, whose origin is the root on the ground. The velocity of the root is no feature,
+it is never changed. End Sites have no features.
 """
 
 from collections.abc import Sequence
@@ -57,15 +57,13 @@ class Statistics(nn.Module):
 class Motions:
     """M labelled windows of one skeleton.
 
-    ``x [M, 7, T, N]``, physical units; ``root_velocity [M, T, 3]`` from each frame to the next in
-    its root frame (x and z in m/s, turn about the vertical in rad/s); ``domain``, ``content``,
-    ``take [M]``, int: the index of the style in ``domains``, of the gait in ``contents``, and of
-    the recording (a mirror image has the index of its original).
+    ``x [M, 7, T, N]``, physical units; ``domain``, ``content``, ``take [M]``, int: the index of the
+    style in ``domains``, of the gait in ``contents``, and of the recording (a mirror image has the
+    index of its original).
     """
 
     graph: SkeletonGraph
     x: Tensor
-    root_velocity: Tensor
     domain: Tensor
     content: Tensor
     take: Tensor
@@ -114,12 +112,11 @@ def build(clips: Sequence[Clip], mirror: bool = False) -> Motions:
         clip = prepare(clip, skeleton)
         skeleton = clip.skeleton
         for version in (clip, _mirrored(clip)) if mirror else (clip,):
-            parts.append(windows(version))
-            labels += [(domains.index(clip.style), version.gait, take)] * len(parts[-1][0])
+            parts.append(windows(version)[0])
+            labels += [(domains.index(clip.style), version.gait, take)] * len(parts[-1])
     contents = tuple(sorted({content for _, content, _ in labels}))
-    x, velocity = (torch.cat(column) for column in zip(*parts, strict=True))
     domain, content, take = torch.tensor([(d, contents.index(c), t) for d, c, t in labels]).T
-    return Motions(SkeletonGraph.of(skeleton), _same_sign(x), velocity, domain, content, take,
+    return Motions(SkeletonGraph.of(skeleton), _same_sign(torch.cat(parts)), domain, content, take,
                    domains, contents)
 
 
@@ -146,7 +143,11 @@ def prepare(clip: Clip, skeleton: Skeleton | None = None) -> Clip:
 
 
 def describe(clip: Clip) -> tuple[Tensor, Tensor]:
-    """``x [7, F, N]``, with continuous quaternions, and ``root_velocity [F, 3]`` of a clip."""
+    """``x [7, F, N]``, with continuous quaternions, and ``root_velocity [F, 3]`` of a clip.
+
+    The velocity is from each frame to the next in its root frame: x and z in m/s, turn about the
+    vertical in rad/s.
+    """
     roots = root_frames(clip)
     turned = R.multiply(R.inverse(roots.rotations)[:, None], clip.global_rotations)
     x = torch.cat((roots.to_local(clip.global_positions), R.unroll(turned)), -1).permute(2, 0, 1)
