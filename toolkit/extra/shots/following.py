@@ -194,11 +194,6 @@ class Course:
         return self._begins[frame]
 
 
-def wrapped(angle: float) -> float:
-    """The same angle in [-π, π]."""
-    return math.atan2(math.sin(angle), math.cos(angle))
-
-
 def nearest(curve: Curve, place: Pair, distance: float) -> float:
     """Arc length of the curve's point nearest to a place, from `BEHIND` a distance to `BEFORE`."""
     first = max(bisect_right(curve.at, distance - BEHIND) - 1, 0)
@@ -225,7 +220,8 @@ class Heading:
     def __init__(self, curve: Curve, direction: Pair | None, look: Pair | None,
                  turns: Sequence[float | None]):
         self.curve, self.direction, self.look = curve, direction, look
-        self.offsets = [0.0 if angle is None else wrapped(angle - self._rule(at, curve.point(at)))
+        self.offsets = [0.0 if angle is None
+                        else math.remainder(angle - self._rule(at, curve.point(at)), math.tau)
                         for at, angle in zip(curve.knots, turns, strict=True)]
 
     def _rule(self, distance: float, place: Pair) -> float:

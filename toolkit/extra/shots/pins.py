@@ -10,7 +10,7 @@ from collections.abc import Sequence
 import torch
 from torch import Tensor
 
-from toolkit.extra.shots.following import FPS, Course, Heading, Pair
+from toolkit.extra.shots.following import EASINGS, FPS, Course, Heading, Pair
 from toolkit.extra.shots.keys import HANDS, LIMBS, Pin, Point
 from toolkit.motion import Clip, rotations as R
 
@@ -37,15 +37,10 @@ def weights(pins: Sequence[Pin], part: str, times: Tensor) -> tuple[list[tuple[P
         begin = max(pin.at - BLEND, end)
         into = (times - begin) / max(pin.at - begin, 1e-6)
         away = (pin.end + BLEND - times) / BLEND
-        w = smoother(torch.minimum(into, away).clamp(0.0, 1.0))
+        w = EASINGS["smoother"](torch.minimum(into, away).clamp(0.0, 1.0))
         found, end = [*found, (pin, w)], pin.end
         free = free * (1 - w)
     return found, 1 - free
-
-
-def smoother(u):
-    """A share of the way that starts and ends without speed and acceleration."""
-    return u**3 * (u * (6 * u - 15) + 10)
 
 
 Plan = tuple[Course, Heading]

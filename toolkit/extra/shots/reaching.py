@@ -10,9 +10,9 @@ from collections.abc import Sequence
 import torch
 from torch import Tensor
 
-from toolkit.extra.shots.following import FPS, Course, Pair
+from toolkit.extra.shots.following import EASINGS, FPS, Course, Pair
 from toolkit.extra.shots.keys import HANDS, LIMBS, Pin
-from toolkit.extra.shots.pins import smoother, weights
+from toolkit.extra.shots.pins import weights
 from toolkit.motion import local_rotations, rotations as R
 from toolkit.motion.ik import plant_feet, two_bone
 from toolkit.motion.roles import CHAINS
@@ -59,7 +59,7 @@ def pinned(skeleton: Skeleton, rotations: Tensor, root: Tensor,
         ways = []
         for now in times[chosen].tolist():
             held = min(max(now, pin.at), pin.end)
-            share = smoother(min(abs(now - held) / CARRY, 1.0))
+            share = EASINGS["smoother"](min(abs(now - held) / CARRY, 1.0))
             (x, z), (px, pz) = (_place(course, time) for time in (now, held))
             ways.append((share * (x - px), 0.0, share * (z - pz)))
         return root.new_tensor(ways)
