@@ -125,13 +125,13 @@ class Course:
                  holds: Sequence[tuple[float | None, float | None, float]],
                  duration: float | None):
         self.curve, self.speeds, self.arrivals = curve, speeds, arrivals
-        self.pauses = sorted((time, seconds) for time, _, seconds in holds if time is not None)
+        pauses = sorted((time, seconds) for time, _, seconds in holds if time is not None)
+        self.pauses = [*pauses, (math.inf, 0.0)]
         stops = [(min(at, curve.length), seconds) for _, at, seconds in holds if at is not None]
         self.stops = [*sorted(stops), (curve.length, math.inf)]
         self.distance, self.speed = [0.0], [0.0]
         # index of the next stop; time until which the character stands
         self._stop, self._until = 0, 0.0
-        self._begins: dict[int, float] = {}  # by frame, see `_next_pause`
         self.late: list[int] = []  # the arrivals that the acceleration does not allow
         for k, (_, distance, time) in enumerate(arrivals):
             slow, fast = 0.0, FASTEST
@@ -166,7 +166,7 @@ class Course:
     def _walk(self, goal: float, scale: float, latest: float) -> bool:
         """Extend the plan to a distance, or to a time; whether the distance is reached."""
         distances, speeds = self.distance, self.speed
-        at, speed = distances[-1], speeds[-1]
+        at, speed, pause = distances[-1], speeds[-1], 0
         while at < goal - 1e-9:
             now = len(distances) / FPS
             if now > latest + 1e-9:
@@ -175,8 +175,9 @@ class Course:
             speed = max(min(speed + ACCELERATION / FPS, scale * keyed(self.speeds, now)),
                         speed - 2 * ACCELERATION / FPS, 0.0)
             speed = min(speed, math.sqrt(2 * ACCELERATION * max(limit - at, 0.0)))
-            if self.pauses:
-                speed = min(speed, ACCELERATION * max(self._next_pause(len(distances)) - now, 0.0))
+            while now >= sum(self.pauses[pause]):  # it has ended
+                pause += 1
+            speed = min(speed, ACCELERATION * max(self.pauses[pause][0] - now, 0.0))
             if now < self._until:
                 speed = 0.0
             at = min(at + speed / FPS, limit)
@@ -185,13 +186,6 @@ class Course:
             distances.append(at)
             speeds.append(speed)
         return True
-
-    def _next_pause(self, frame: int) -> float:
-        """When the first pause begins that has not ended; infinite after the last one."""
-        if frame not in self._begins:
-            left = (time for time, seconds in self.pauses if frame / FPS < time + seconds)
-            self._begins[frame] = next(left, math.inf)
-        return self._begins[frame]
 
 
 def nearest(curve: Curve, place: Pair, distance: float) -> float:
