@@ -151,7 +151,8 @@ def test_devices_behind_references_are_not_read(kind, tmp_path):
     (tmp_path / "a.gltf").write_text(json.dumps(made.json))
     plant(tmp_path / "table" / "Frame_Cuts.csv")
     plant(tmp_path / "store" / "manifest.json")
-    for read in (lambda: tk.load(tmp_path / "a.gltf"), lambda: tk.shots.load(tmp_path / "a.bin"),
+    for read in (lambda: tk.load(tmp_path / "a.gltf"),
+                 lambda: tk.shots.Scene.load(tmp_path / "a.bin"),
                  lambda: tk.datasets.style100.frame_cuts(tmp_path / "table"),
                  lambda: store.load(tmp_path / "store")):
         with pytest.raises((ValueError, OSError)) as said:
@@ -162,7 +163,7 @@ def test_devices_behind_references_are_not_read(kind, tmp_path):
 @pytest.mark.parametrize("text", ["[" + "[]," * 1_100_000 + "0]", "[" * 100_000, "9" * 5000],
                          ids=["many", "deep", "digits"])
 def test_json_text_of_many_or_deep_values_is_refused(text, tmp_path):
-    for name, read in (("manifest.json", tk.shots.load), ("manifest.gltf", gltf.read),
+    for name, read in (("manifest.json", tk.shots.Scene.load), ("manifest.gltf", gltf.read),
                        ("manifest.json", lambda path: store.load(path.parent))):
         (tmp_path / name).write_text(text)
         with refusal(rf"{name}.*(2000000 values|too deeply|of digits)"):

@@ -17,7 +17,7 @@ from toolkit.evaluation.findings import OTHERS
 from toolkit.extra.shots import apart as avoidance, following
 from toolkit.extra.shots.following import FPS, LEAD, LONGEST, Course, Heading, Pair, nearest
 from toolkit.extra.shots.keys import StyleKey, entries, number, pair
-from toolkit.extra.shots.shot import Shot, parse, read, save
+from toolkit.extra.shots.shot import Shot, parse, read
 from toolkit.extra.shots.walking import first
 from toolkit.motion import Clip
 from toolkit.networks.bank import StyleBank
@@ -218,10 +218,6 @@ class Scene:
         """A scene from a dictionary as a JSON file holds it."""
         shots = parse(scene)
         return cls(shots, scene.get("apart"), scene.get("walls", ()))
-
-    def save(self, path: str | os.PathLike) -> None:
-        """Write a JSON file."""
-        save(self, path)
 
     def states(self, model, bank: StyleBank, plans: Sequence[tuple[Course, Heading]] | None = None
                ) -> Iterator[CharacterState]:

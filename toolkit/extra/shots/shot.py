@@ -124,11 +124,11 @@ class Shot:
 
     @classmethod
     def load(cls, path: str | os.PathLike) -> "Shot":
-        """The shot of a JSON file with one shot; as `load`."""
-        shots = load(path)
+        """The shot of a JSON file with one; a ValueError of one line if it is not valid."""
+        shots = read(path, parse)
         if len(shots) != 1:
             raise ValueError(f"{path}: holds {len(shots)} shots; read them with "
-                             "toolkit.extra.shots.load")
+                             "toolkit.extra.shots.Scene.load")
         return shots[0]
 
     def save(self, path: str | os.PathLike) -> None:
@@ -258,11 +258,6 @@ def _data(value):
         return {f.name: _data(v) for f in fields(value)
                 if (v := getattr(value, f.name)) != f.default}
     return [_data(v) for v in value] if isinstance(value, tuple) else value
-
-
-def load(path: str | os.PathLike) -> list[Shot]:
-    """The shots of a JSON file, one per character; a ValueError of one line if it is not valid."""
-    return read(path, parse)
 
 
 def read(path: str | os.PathLike, parse: Callable):
