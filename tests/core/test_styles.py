@@ -153,7 +153,7 @@ def test_a_new_style_changes_nothing_else(small_run, crouch, method):
     assert all(map(torch.equal, after, before))
     out = made.model.modulation.generator.out.weight
     tuned = not torch.equal(out, everything["modulation.generator.out.weight"])
-    assert tuned == (method == "generator" and made.best > 0)
+    assert tuned == (method == "generator" and not torch.equal(made.tried[0, 0], made.bank["Mine"]))
 
 
 def test_the_best_step_is_kept_and_its_held_out_error_reported(small_run, wide, monkeypatch):
@@ -165,10 +165,10 @@ def test_the_best_step_is_kept_and_its_held_out_error_reported(small_run, wide, 
     assert sum(made.losses[-10:]) < 0.98 * sum(made.losses[:10])
     found = made.held_out["WideLegs"]
     assert found["after"] < found["before"]
-    assert 0 < made.best <= 80
+    assert not torch.equal(made.tried[0, 0], made.bank["WideLegs"])
     monkeypatch.setitem(fine_tuning.RATES, "vector", 1e4)  # every step makes it worse
     worse = tk.styles.fine_tune(model, wide, None, bank, method="vector", steps=40)
-    assert worse.best == 0
+    assert torch.equal(worse.tried[0, 0], worse.bank["WideLegs"])
     kept = worse.held_out["WideLegs"]
     assert kept["after"] == kept["before"] == found["before"]
     assert any(torch.equal(worse.bank["WideLegs"], bank[style]) for style in bank)
@@ -194,7 +194,8 @@ def test_short_clips_several_styles_and_no_bank(small_run, crouch):
     made = tk.styles.fine_tune(
         small_run.model, crouch.cut(0, 113), "Mine", small_run.bank, method="vector", steps=5
     )
-    assert made.best == 5  # too short to hold frames out: the last step
+    # too short to hold frames out: the last step
+    assert torch.equal(made.tried[-1, 0], made.bank["Mine"])
     assert math.isnan(made.held_out["Mine"]["after"])
     clips = [crouch, crouch.mirrored().replace(style="Mirrored")]
     made = tk.styles.fine_tune(small_run.model, clips, method="vector", steps=3)

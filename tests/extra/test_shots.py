@@ -151,20 +151,22 @@ def test_radius_of_a_circle_and_ways_of_neighbours_on_rings():
 
 def test_velocities_of_those_who_keep_apart():
     places, ahead = np.array([[0.0, 0.0], [0.0, 2.0]]), np.array([[0.0, 1.0], [0.0, -1.0]])
-    safe = apart.velocities(places, ahead, ahead, 0.4)
+    none, alike = np.zeros((0, 2, 2)), np.array([0.4, 0.4])
+    safe = apart.velocities(places, ahead, ahead, alike, none, 0.5)
     assert safe[0, 0] * safe[1, 0] < 0  # each to its own side
     assert np.allclose(safe[0], -safe[1])
     turn = np.array([[0.6, 0.8], [-0.8, 0.6]])  # the axes do not matter
-    assert np.allclose(apart.velocities(places @ turn, ahead @ turn, ahead @ turn, 0.4),
-                       safe @ turn)
-    wide = apart.velocities(places, ahead, ahead, np.array([0.3, 0.9]))
+    turned = apart.velocities(places @ turn, ahead @ turn, ahead @ turn, alike, none, 0.5)
+    assert np.allclose(turned, safe @ turn)
+    wide = apart.velocities(places, ahead, ahead, np.array([0.3, 0.9]), none, 0.5)
     assert abs(wide[0, 0]) > abs(safe[0, 0])
     # they part: nothing to do
-    assert np.allclose(apart.velocities(places, ahead, -ahead, 0.4, np.zeros((0, 2, 2))), -ahead)
-    near = apart.velocities(places / 2, ahead, ahead, 0.4)
+    assert np.allclose(apart.velocities(places, ahead, -ahead, alike, none, 0.5), -ahead)
+    near = apart.velocities(places / 2, ahead, ahead, alike, none, 0.5)
     assert near[0, 0] < -0.5 < 0.5 < near[1, 0]  # both to their right
     walls = np.array([[[-5.0, 0.6], [5.0, 0.6]]])
-    assert apart.velocities(places[:1], ahead[:1], ahead[:1], 0.4, walls)[0, 1] < 0.11
+    alone = apart.velocities(places[:1], ahead[:1], ahead[:1], alike[:1], walls, 0.5)
+    assert alone[0, 1] < 0.11
 
 
 @given(st.integers(2, 60), st.integers(0, 999))

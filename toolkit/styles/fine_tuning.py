@@ -52,7 +52,6 @@ class NewStyles:
     method: str  # one of `METHODS`
     seconds: float  # duration, with the computation of features
     losses: list[float]  # of every step
-    best: int  # the step whose vector was kept; 0 for the initial one
     held_out: dict[str, dict[str, float]]  # of each style: ``before``, ``after``, floors
     tried: Tensor  # [K, S, D] the vectors of the S new styles whenever the error was measured
     __repr__ = summary
@@ -151,7 +150,7 @@ def fine_tune(model: Predictor, clips: Clip | Sequence[Clip] | Features, name: s
         return {style: row["mse"] for style, row in evaluate(model, made(), frames).items()}
 
     before, losses, tried = errors(reported), [], [made().vectors]
-    best, least, values = 0, sum(errors(choosing).values()), [t.detach().clone() for t in learnt]
+    least, values = sum(errors(choosing).values()), [t.detach().clone() for t in learnt]
     if method != "forward":
         total, every = steps * len(styles), EVERY * len(styles)
         bar = progress_bar(total=total, desc=METHODS[method].split(" (")[0], unit="step",
@@ -166,7 +165,7 @@ def fine_tune(model: Predictor, clips: Clip | Sequence[Clip] | Features, name: s
                     found = errors(choosing)
                     tried.append(made().vectors)
                     if not found or sum(found.values()) < least:
-                        best, least = step, sum(found.values())
+                        least = sum(found.values())
                         values = [tensor.detach().clone() for tensor in learnt]
         with torch.no_grad():
             for tensor, value in zip(learnt, values, strict=True):
@@ -177,7 +176,7 @@ def fine_tune(model: Predictor, clips: Clip | Sequence[Clip] | Features, name: s
     held_out = {style: {"before": before.get(style, math.nan), "after": after.get(style, math.nan),
                         **floors.get(style, unknown)} for style in styles}
     bank = new if bank is None else bank.merge(new)
-    return NewStyles(new.names, bank, model, method, time.perf_counter() - began, losses, best,
+    return NewStyles(new.names, bank, model, method, time.perf_counter() - began, losses,
                      held_out, torch.stack(tried))
 
 

@@ -24,8 +24,7 @@ SOFT = 0.1  # share by which half-planes may be missed: of many, all are missed 
 
 
 def velocities(places: np.ndarray, moving: np.ndarray, wanted: np.ndarray,
-               radii: np.ndarray | float,
-               walls: np.ndarray | None = None, margin: float = 0.5) -> np.ndarray:
+               radii: np.ndarray, walls: np.ndarray, margin: float) -> np.ndarray:
     """Velocities ``[N, 2]``, m/s, near the wanted ones, that keep N characters apart.
 
     Parameters
@@ -33,7 +32,7 @@ def velocities(places: np.ndarray, moving: np.ndarray, wanted: np.ndarray,
     places, moving, wanted
         World (x, z) of each character, its present and its wanted velocity, ``[N, 2]``.
     radii
-        Metres, one for all or ``[N]``: the least distance of two characters is the sum of theirs.
+        Metres ``[N]``: the least distance of two characters is the sum of theirs.
     walls
         Both ends of straight walls, ``[W, 2, 2]``.
     margin
@@ -45,14 +44,13 @@ def velocities(places: np.ndarray, moving: np.ndarray, wanted: np.ndarray,
     near = near.reshape(count, -1)[:, 1:]
     there = near < count
     near = np.where(there, near, 0)
-    radii = np.broadcast_to(radii, count)
     apart = radii[:, None] + radii[near]
     to = places[near] - places[:, None]
     close = np.linalg.norm(to, axis=-1) < apart + CLOSE
     normal, least = _half_planes(to, moving[:, None] - moving[near], apart)
     least = np.where(there, (normal * moving[:, None]).sum(-1) + least / 2, -np.inf)
     free = np.ones(count, bool)
-    if walls is not None and len(walls):
+    if len(walls):
         off = np.stack([to_wall(places, *wall) for wall in walls], 1)
         away = np.maximum(np.linalg.norm(off, axis=-1), 1e-6)
         free = (away > ROOM).all(1)

@@ -51,7 +51,7 @@ class Director(SceneWidget):
     height
         Of the widget, pixels.
     character
-        A glTF or VRM file with a skinned mesh, drawn in place of the mannequin.
+        As in `toolkit.view.web`.
 
     Attributes
     ----------

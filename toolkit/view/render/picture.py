@@ -8,7 +8,6 @@ from contextlib import closing
 from pathlib import Path
 
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from toolkit.io.files import atomic_write
@@ -78,7 +77,6 @@ def strip(
     heights = [image.shape[0] / dpi for image in images]
     total = sum(heights)
     figure = Picture(figsize=(width, total), dpi=dpi, facecolor=BACK)
-    FigureCanvasAgg(figure)
     bottom = total
     for image, high, text, (body, at, *_) in zip(images, heights, labels, rows, strict=True):
         bottom -= high
