@@ -40,8 +40,7 @@ def animate(
     clips, labels, contacts, character
         As in `toolkit.view.play`; a label is the text of a cell.
     path
-        File to write: ``.gif``, ``.png`` or ``.apng`` (animated), ``.webp`` or ``.mp4`` (H.264,
-        needs PyAV).
+        File to write: ``.gif``, ``.png`` or ``.apng`` (animated), ``.webp`` or ``.mp4`` (H.264).
     fps
         Pictures per second.
     height
@@ -53,8 +52,6 @@ def animate(
     ------
     ValueError
         If the suffix is unknown, or as of `toolkit.view.play`.
-    ImportError
-        If an ``.mp4`` is asked for and PyAV is missing.
     """
     path = Path(path)
     if path.suffix not in SUFFIXES:
@@ -166,10 +163,8 @@ def _write(frames: Iterable[Image.Image], path: Path, fps: float) -> Path:
 
 def _film(frames: Iterable[Image.Image], path: Path, fps: float) -> Path:
     """Write an MP4 that browsers play: H.264, 4:2:0 and therefore of even width and height."""
-    try:
-        import av
-    except ImportError:
-        raise ImportError(f"writing {path.name} needs PyAV: pip install av") from None
+    import av  # here, as only films need it
+
     with (
         atomic_write(path) as file,
         av.open(file, "w", format="mp4", options={"movflags": "faststart"}) as film
