@@ -46,7 +46,8 @@ player
 """,
     f"""
 shot = tk.shots.Shot([(0, 0), (0, 1)], "Zombie", duration=1, name={COMMENT!r})
-desk = tk.view.Director(model, planted, [shot], height=600)
+desk = tk.view.Director(model, planted, [shot])
+desk.height = 600
 desk
 """,
     "course.here('01')",
@@ -71,7 +72,8 @@ async def probe():
 probing = asyncio.create_task(probe())
 """,
     """
-control = tk.view.Controller(tk.runtime.compile(model), planted, size=(240, 180))
+control = tk.view.Controller(tk.runtime.compile(model), planted)
+control.size = [240, 180]
 control
 """,
     """
@@ -79,7 +81,8 @@ pack = tk.view.Controller.send  # a second one, as of a model with one phase for
 def send(self, content, buffers=None):
     pack(self, content, buffers and [buffers[0][:-28] if self is other else buffers[0]])
 tk.view.Controller.send, other = send, None
-other = tk.view.Controller(tk.runtime.compile(model), planted, size=(240, 180))
+other = tk.view.Controller(tk.runtime.compile(model), planted)
+other.size = [240, 180]
 other
 """,
 ]

@@ -26,8 +26,8 @@ def test_the_page_gets_a_body_once_and_every_motion(clip, other):
     assert [shown["contacts"] is None for shown in player.clips] == [False, True]
     changes = []
     player.observe(lambda change: changes.append(change["name"]), ["skeletons", "clips"])
-    player.show(other, labels=["<data>"])
-    assert (player.clips[0]["label"], player.clips[0]["frames"]) == ("<data>", 30)
+    player.show(other)
+    assert (player.clips[0]["label"], player.clips[0]["frames"]) == ("Old FW", 30)
     assert changes == ["clips"]  # the body is there
     player.close()
     assert (player.clips, player.skeletons, player.shown) == ([], [], [])

@@ -248,7 +248,7 @@ def test_many_at_once_walk_as_each_alone_with_and_without_webassembly(node, smal
 def test_the_kernel_in_a_page_does_what_a_notebooks_does(node, trained, fast, tmp_path):
     """Keys, stick, marker and recording, against `toolkit.view.Controller`."""
     model, bank = trained
-    control = view.Controller(*fast, styles=["Neutral", "Zombie", "Aeroplane"])
+    control = view.Controller(*fast)
     control.send = lambda content, buffers: sent.append(np.frombuffer(buffers[0], np.float32))
     sent, data = [], live_page.pack(model, bank.select(["Neutral", "Zombie", "Aeroplane"]))
     wishes = [

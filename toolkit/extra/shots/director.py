@@ -48,8 +48,6 @@ class Director(SceneWidget):
     shots
         The first shots, one per character, or a `toolkit.extra.shots.Scene`; by default one shot
         along a short path.
-    height
-        Of the widget, pixels.
     character
         As in `toolkit.view.web`.
 
@@ -59,6 +57,8 @@ class Director(SceneWidget):
         The shots as the page shows them; assign others to show them.
     scene
         The same as data, as a file holds it: a trait that can be observed.
+    height
+        Of the widget, pixels.
     """
 
     data = traitlets.Dict().tag(sync=True)
@@ -69,10 +69,10 @@ class Director(SceneWidget):
     _later: asyncio.TimerHandle | None = None
 
     def __init__(self, model, bank, shots: Iterable[Shot] | Scene | None = None, *,
-                 height: int = 760, character: Character = None):
+                 character: Character = None):
         self._model, self._bank = model, bank
         super().__init__(data=pack(model, bank, character=figure_of(character)),
-                         scene=first(bank, shots), height=height)
+                         scene=first(bank, shots))
 
     @property
     def shots(self) -> list[Shot]:

@@ -9,7 +9,7 @@ page asks again.
 import asyncio
 import math
 from collections import deque
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 import numpy as np
 import torch
@@ -38,11 +38,6 @@ class Controller(SceneWidget, Corners):
     ----------
     model, bank
         A model and its style bank, e.g. of `toolkit.pretrained`.
-    styles
-        The triangle's corners, three names of the bank; by default three that differ. ValueError
-        if one is unknown.
-    size
-        Width and height of the picture in pixels.
     character
         As in `toolkit.view.web`.
 
@@ -53,6 +48,8 @@ class Controller(SceneWidget, Corners):
     names, weights, speed
         Corners of the triangle and their shares; walking speed in metres per second, the
         natural one of the blend until another is set.
+    size
+        Width and height of the picture in pixels.
     frames
         Number of frames computed so far.
     feet, arms
@@ -73,14 +70,9 @@ class Controller(SceneWidget, Corners):
     status = traitlets.Unicode("").tag(sync=True)
     _task: asyncio.Task | None = None  # None in a script, where `advance` moves the character
 
-    def __init__(
-        self, model, bank, *, styles: Sequence[str] | None = None,
-        size: tuple[int, int] = (640, 480), character: Character = None
-    ):
+    def __init__(self, model, bank, *, character: Character = None):
         self._recorded: deque[np.ndarray] = deque(maxlen=round(KEPT * FPS))
-        names = (ordered(bank) * 3)[:3] if styles is None else list(styles)
-        if len(names) != 3:
-            raise ValueError(f"a triangle has three styles, got {names}")
+        names = (ordered(bank) * 3)[:3]
         self._model, self._bank = model, bank
         self._natural = speed = _within(bank.speed(names[0]))
         self._vector = self._target = bank.blend(dict.fromkeys(names, 0.0) | {names[0]: 1.0})
@@ -91,7 +83,7 @@ class Controller(SceneWidget, Corners):
         self.frames = self._seen = 0
         skeleton = skeleton_data(example(model, bank), figure_of(character))
         super().__init__(names=names, weights=[1.0, 0.0, 0.0], styles=list(bank.names),
-                         labels=bank.labels(), speed=speed, size=list(size), skeleton=skeleton,
+                         labels=bank.labels(), speed=speed, skeleton=skeleton,
                          gate=gate(model.layout.skeleton))
         self.on_msg(self._receive)
         self._loop = running_loop()

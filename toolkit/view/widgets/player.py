@@ -64,14 +64,13 @@ class Player(SceneWidget):
         self._figure, self._bodies = figure_of(character), {}
         super().__init__(size=list(size), **self._pack(clips, labels, contacts))
 
-    def show(self, clips: Clip | Sequence[Clip], *, labels: Sequence[str] | None = None,
-             contacts=None) -> None:
-        """Show other clips; the parameters are those of `play`."""
-        state = self._pack(clips, labels, contacts)
+    def show(self, clips: Clip | Sequence[Clip]) -> None:
+        """Show other clips."""
+        state = self._pack(clips)
         with self.hold_sync():
             self.skeletons, self.clips = state["skeletons"], state["clips"]
 
-    def _pack(self, clips, labels, contacts) -> dict:
+    def _pack(self, clips, labels=None, contacts=None) -> dict:
         """The traits for other clips."""
         self.shown, self._bodies, packed = pack(
             clips, labels, contacts, None, self._figure, self._bodies
