@@ -1,4 +1,4 @@
-// A body: one skinned surface over the joints of a skeleton (linear blend skinning; view/skin.py).
+// A body: one skinned surface over the joints of a skeleton (linear blend skinning; view/render/skin.py).
 //
 // skeleton = {parents: [J], offsets: [[x, y, z]], metres, parents before children, Y up, mesh}
 // mesh = {
@@ -15,7 +15,7 @@ import * as THREE from "three";
 import { decode } from "./numbers.js";
 
 const CONTACT = [0x35, 0xc4, 0x6a].map((v) => (v / 255) ** 2.2), SLOTS = 4, MARKS = 4;
-// linear light where no lights are drawn (plain): sun, sky and ground, as in view/renderers.py
+// linear light where no lights are drawn (plain): sun, sky and ground, as in view/render/stage.py
 export const SUN = [0.477, 0.467, 0.445], SKY = [0.716, 0.716, 0.716], GROUND = [0.493, 0.468, 0.427];
 const GAMMA = Uint8Array.from({ length: 1025 }, (_, i) => 255 * (i / 1024) ** (1 / 2.2));
 

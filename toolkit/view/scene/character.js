@@ -1,11 +1,11 @@
-// A character whose network runs in the page, without the kernel of a notebook (view/controller.py).
+// A character whose network runs in the page, without the kernel of a notebook (view/widgets/controller.py).
 //
 // Character(data) steps and poses; advance steps many, which share a network, at once. Kernel(data) also takes user input and the
 // triangle's blend; it is the `model` of controller.js.
 // data = {
 //   network, rules, body: see network.js, frame.js, pose.js;  start: the state in the first frame;  skeleton: see scene.js
 //   life: {amount, period}: how the styles wander, see life.js
-//   styles: [names], labels: {name: in menus}, vectors: numbers [styles * D];  turn, run, ease: as in view/controller.py
+//   styles: [names], labels: {name: in menus}, vectors: numbers [styles * D];  turn, run, ease: as in view/pages/live_page.py
 //   others: [{style, radius, angle, way, speed, tint}]: characters that walk on rings around the start, of a crowd; [] without
 //   crowd: the skeleton of these bodies, or null
 //   bvh: {header, joints, centimetre} of a recording;  traits: first values for controller.js
@@ -177,7 +177,7 @@ export class Kernel extends Model {
     if (traits.recording) this.recorded.push(this.passed.at(-1));
   }
 
-  // the newest frame, as view/controller.py sends it
+  // the newest frame, as view/widgets/controller.py sends it
   show() {
     const { character, character: { state, rules } } = this;
     character.pose(this.traits);

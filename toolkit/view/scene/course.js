@@ -1,7 +1,7 @@
-// The rules of a shot: its curve, its timing and the feedback that keeps a character on both (shots/course.py, whose functions
+// The rules of a shot: its curve, its timing and the feedback that keeps a character on both (shots/following.py, whose functions
 // and classes these are; shots/feasibility.py).
 //
-// rules: the constants of course.py and feasibility.py by name. Metres, seconds, pairs [x, z] on the floor; a table has one row
+// rules: the constants of following.py and feasibility.py by name. Metres, seconds, pairs [x, z] on the floor; a table has one row
 // per frame. A pair of a point and a direction is as in Python; infinity takes the place of None where a number is compared.
 export const EASINGS = {
   linear: (t) => t,

@@ -1,6 +1,6 @@
 // The shots of a director, one per character: changes with undo, and the motion of each, computed in slices of time.
 //
-// Desk(data, scene, changed): data of view/director.py's pack; scene as a file holds it. `changed(what)` is called after a change of
+// Desk(data, scene, changed): data of shots/director.py's pack; scene as a file holds it. `changed(what)` is called after a change of
 //   the shots ("shots"), of the undo list ("kept"), and whenever more frames are there ("frames").
 // filled(motion) takes what the kernel rendered, of a model that does not run in a page: data has no network then.
 // `findings` are the defects of the motion (findings.js); null until all of it is looked at.

@@ -1,6 +1,6 @@
 // A desk for shots: a floor map, a timeline, a form, and the characters in 3-D, computed in the browser (desk.js).
 //
-// Traits of the model: data (of view/director.py's pack), scene {version, shots} as a file holds it, motion (what the kernel rendered of
+// Traits of the model: data (of shots/director.py's pack), scene {version, shots} as a file holds it, motion (what the kernel rendered of
 // it, see desk.js), and height, pixels, or null to fill the element. The scene is sent to the kernel after every change that undo knows.
 import { unpack } from "./body.js";
 import { bvh } from "./character.js";

@@ -5,7 +5,7 @@
 //     {rules: [[joint, a, b, share, ...turn of a, ...turn of b, ...turn of the joint]], rest: [[w, x, y, z]], scale, lift,
 //      hips: [[left, right] of the skeleton, [left, right] of the mesh]}
 // A rule: the joint's world rotation is slerp(that of a * its turn, that of b * its turn, share) * the joint's turn
-// (motion/retargeting.py). The other joints keep their rest rotation.
+// (characters/retargeting.py). The other joints keep their rest rotation.
 import * as THREE from "three";
 import { Body, multiply, Tree } from "./body.js";
 

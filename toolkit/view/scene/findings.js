@@ -1,6 +1,6 @@
 // What is broken in a motion of the page: the functions of toolkit/evaluation/findings.py, on a level floor.
 //
-// gate: the constants of that module by name, its limits, units, others and least, roles {role: joint} and chest, of view/live_page.py's
+// gate: the constants of that module by name, its limits, units, others and least, roles {role: joint} and chest, of view/pages/live_page.py's
 // pack. A finding: {kind, joint, start, end, value, limit, unit, excess, characters}.
 import { Tree } from "./body.js";
 import { round } from "./course.js";

@@ -6,7 +6,7 @@ import { Crowd } from "./crowd.js";
 import { make, player, render as clips } from "./player.js";
 import { Scene } from "./scene.js";
 
-// A character in an element of a page without a notebook, from the data of view/live_page.py.
+// A character in an element of a page without a notebook, from the data of view/pages/live_page.py.
 function character(element, data) {
   const kernel = new Kernel(data);
   kernel.download = (text) => { // a recording
@@ -19,7 +19,7 @@ function character(element, data) {
   return { kernel, ...element.toolkit };
 }
 
-// A desk for shots, from the data of view/director.py.
+// A desk for shots, from the data of shots/director.py.
 function desk(element, { scene, ...data }) {
   director({ model: new Model({ data, scene, height: null }), el: element });
   return element.toolkit;

@@ -1,6 +1,6 @@
 // From a character's state to a pose that can be drawn, feet planted and arms turned (ik.py; compiled/ik.py, whose functions these are).
 //
-// body: compiled/ik.py's Body: parents [J'], offsets [J'][3], features [J'], own [J'], ends, legs [2][4], arms [A][2]
+// body: runtime/rules.py's Body: parents [J'], offsets [J'][3], features [J'], own [J'], ends, legs [2][4], arms [A][2]
 import { footLock, three, unit } from "./frame.js";
 
 export const plus = (a, b, share = 1) => [a[0] + share * b[0], a[1] + share * b[1], a[2] + share * b[2]];

@@ -3,7 +3,7 @@
 // A shot here has every field of `toolkit.extra.shots.Shot`, with null where there is none:
 //   path [{x, z, time, facing}], styles [{time, blend, easing}], speeds [{time, speed, easing}], holds [{seconds, time, distance}],
 //   smooth, facing, look_at, feet, arms, seed, duration, name, radius;  a blend is weights by style, or a list of them, one for each layer
-// desk: {rules, limits, styles: [names], vectors, size, speeds: [m/s]}, see view/director.py
+// desk: {rules, limits, styles: [names], vectors, size, speeds: [m/s]}, see shots/director.py
 import { advance, Character } from "./character.js";
 import { between, command, Course, Curve, EASINGS, Heading, keyed, nearest, round } from "./course.js";
 import { copy, stand } from "./frame.js";
