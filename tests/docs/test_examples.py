@@ -1,11 +1,14 @@
 """The scripts in examples/, run as a reader runs them, small."""
 
+import json
 import runpy
+import socket
 import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+import torch
 from refusal import refusal
 
 import toolkit as tk
@@ -27,7 +30,7 @@ def ran(monkeypatch):
 
 def test_every_example_is_run_here():
     names = {path.name for path in EXAMPLES.glob("*.py")}
-    assert names == {"own_phase_source.py", "own_model.py", "gym_loop.py"}
+    assert names == {"own_phase_source.py", "own_model.py", "gym_loop.py", "blender_link.py"}
 
 
 def test_own_phase_source_on_procedural_clips_and_on_own_files(ran, tmp_path, walk_clip):
@@ -76,3 +79,31 @@ def test_gym_loop_rewards_the_better_policy_and_repeats_itself(ran):
     checker = pytest.importorskip("gymnasium.utils.env_checker", reason="needs gymnasium")
     # which warns, and so fails here, where it is not content
     checker.check_env(walk(), skip_render_check=True)
+
+
+def test_the_link_to_blender_sends_the_joints_and_poses(monkeypatch, fast):
+    monkeypatch.syspath_prepend(EXAMPLES)
+    import blender_link
+
+    monkeypatch.setattr(blender_link, "tk", tk, raising=False)  # in Blender, it has none
+
+    with socket.socket(type=socket.SOCK_DGRAM) as plug:
+        plug.bind(("127.0.0.1", 0))
+        monkeypatch.setattr(blender_link, "PORT", plug.getsockname())
+        blender_link.walk("Old", 0.1)
+        packets = [plug.recv(65536) for _ in range(7)]
+    joints = json.loads(packets[0])
+    skeleton = fast[0].layout.skeleton
+    assert tuple(name for name, _, _ in joints) == skeleton.names
+    numbers = np.frombuffer(packets[-1], np.float32)
+    assert numbers.shape == (3 + 4 * len(skeleton),)
+    assert 0.7 < numbers[1] < 1.1
+    assert np.allclose(np.linalg.norm(numbers[3:].reshape(-1, 4), axis=1), 1, atol=1e-5)
+    pytest.importorskip("bpy", reason="Blender as a module is not installed")
+    thing = blender_link.armature(joints)
+    blender_link.pose(thing, joints, numbers.tolist())
+    blender_link.bpy.context.view_layer.update()
+    places = [thing.matrix_world @ thing.pose.bones[name].head for name in skeleton.names]
+    rotations, root = torch.from_numpy(numbers[3:].reshape(1, -1, 4)), torch.from_numpy(numbers[:3])
+    wanted = tk.motion.forward_kinematics(skeleton, rotations, root[None])[1][0]
+    assert np.abs(np.float32(places)[:, [0, 2, 1]] - wanted.numpy() * [1, 1, -1]).max() < 1e-4

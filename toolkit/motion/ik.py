@@ -340,7 +340,7 @@ def plant_feet(skeleton: Skeleton, rotations: Tensor, root: Tensor, toes: Tensor
     if soles is not None:
         wanted = positions.clone()
         wanted[..., legs[3], :] = positions[..., legs[2], :] + soles
-        aim(skeleton, turned, positions, *legs[2:], wanted)
+        aim(skeleton, turned, positions, legs[2], legs[3], wanted)
     a, b, c, toe = (positions[..., joints, :] for joints in legs)
     middle, end = two_bone(a, b, c, toes - (toe - c), left=_left(a))
     turn = R.between(torch.stack((b - a, c - b)), torch.stack((middle - a, end - middle)))

@@ -116,8 +116,8 @@ class Character:
         for part, (joints, axis) in around.items():
             flesh = torch.from_numpy(self.points[np.isin(mine, joints)]).to(axis)
             half[part] = float(torch.cdist(flesh, axis[0]).amin(1).nanmedian()) if len(flesh) else 0
-        return tuple(max(least, half[part] + half["elbow"] - SOFT)
-                     for part, least in (("trunk", TRUNK), ("hip", THIGH)))
+        arm = half["elbow"] - SOFT
+        return max(TRUNK, half["trunk"] + arm), max(THIGH, half["hip"] + arm)
 
     @cached_property
     def skin(self) -> Skin:
