@@ -53,7 +53,6 @@ def run(
     before = torch.get_num_threads()
     torch.set_num_threads(1)
     fast = runtime.compile(net)
-    print(fast)
     try:
         if equality:
             kind = "published" if parameters else "embedded" if model is None else "trained"
@@ -73,7 +72,7 @@ def run(
                 f"runtime{' --published DATA/lpn_film_100style' * bool(parameters)} --store"
             )
             machine = {"G multiply-adds/s": rate / 1e9, "GB/s": speed / 1e9,
-                       "MB of weights": fast.weights.bytes / 1e6}
+                       "MB of weights": _size(fast.weights) / 1e6}
             made = Result("runtime-speed",
                           "Processor time of the network and of a whole frame, medians, one thread",
                           command,
@@ -91,6 +90,12 @@ def _floor(model: Model, count: int, rate: float, speed: float) -> float:
     """
     weights = sum(layer.weight.numel() for layer in (*model.experts.layers, *model.gating.layers))
     return max(4 * weights / speed, count * weights / rate)
+
+
+def _size(weights: network.Weights) -> int:
+    """Number of bytes that a step of one character reads."""
+    arrays = [array for part in weights.gating for array in part]
+    return sum(array.nbytes for array in (*arrays, *weights.experts, weights.mean))
 
 
 def _times(works: dict[str, Callable[[], object]], rounds: int,
@@ -123,7 +128,7 @@ def _machine(fast, rounds: int) -> tuple[float, float]:
             result += numbers[i]
         return result
 
-    weights, square = np.ones(fast.weights.bytes // 4, np.float32), torch.rand(1024, 1024)
+    weights, square = np.ones(_size(fast.weights) // 4, np.float32), torch.rand(1024, 1024)
     done = _times({"sum": lambda: total(weights), "product": lambda: square @ square}, rounds)
     rate, speed = 1024**3 / done["product"], weights.nbytes / done["sum"]
     print(f"one core: {rate / 1e9:.1f} G multiply-adds/s, {speed / 1e9:.1f} GB/s from "

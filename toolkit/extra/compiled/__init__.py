@@ -4,7 +4,6 @@
 function for the present processor at its first use, and stores it on disk.
 """
 
-import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
@@ -27,9 +26,7 @@ Ask = Callable[[int, Pair], tuple[Sequence[float], Sequence[float], Tensor]]  # 
 class CompiledModel:
     """A model with compiled `step` and `pose`, made by `compile`; use it in place of a model.
 
-    Its weights are copies: later training of the model does not change it. ``seconds`` is the time
-    to prepare the kernels, ``compiled`` the number of those that were compiled; the others were
-    read from disk.
+    Its weights are copies: later training of the model does not change it.
     """
 
     def __init__(self, model):
@@ -52,20 +49,12 @@ class CompiledModel:
         state = start(self, torch.zeros(1, self.style_size))
         self._shapes = {part: getattr(state, part).shape[1:] for part in frame.State._fields}
 
-        known, began = self._misses(), time.perf_counter()
-        self.pose(self.step(state, Command()))
-        self.seconds = time.perf_counter() - began
-        self.compiled = self._misses() - known
+        self.pose(self.step(state, Command()))  # compiles the kernels, or reads them from disk
 
     def __getattr__(self, name: str):
         raise AttributeError(
             f"a compiled model has no {name!r}; use the model from which it was compiled"
         )
-
-    def __repr__(self) -> str:
-        ready = f"{self.compiled} kernels compiled" if self.compiled else "kernels ready"
-        size = f"{self.weights.bytes / 1e6:.1f} MB"
-        return f"CompiledModel({self.name}, {size}; {ready} in {self.seconds:.1f} s)"
 
     def step(self, state: CharacterState, command: Command) -> CharacterState:
         """`toolkit.runtime.step`."""
@@ -159,10 +148,6 @@ class CompiledModel:
             arrays.append(array)
         return arrays
 
-    @staticmethod
-    def _misses() -> int:
-        return sum(sum(kernel.stats.cache_misses.values()) for kernel in KERNELS)
-
 
 step.register(CompiledModel)(CompiledModel.step)
 pose.register(CompiledModel)(CompiledModel.pose)
@@ -171,8 +156,8 @@ pose.register(CompiledModel)(CompiledModel.pose)
 def compile(model) -> CompiledModel:
     """The same model compiled for this processor, to take its place in `toolkit.runtime`.
 
-    The first call on a machine compiles; the result's representation shows the time. Later calls
-    read the code from disk. ``docs/runtime.md`` gives times, and differences from the plain model.
+    The first call on a machine compiles, later calls read the code from disk. ``docs/runtime.md``
+    gives times, and differences from the plain model.
 
     Raises
     ------

@@ -61,12 +61,6 @@ class Weights(NamedTuple):
         many = tuple(map(torch.Tensor.to_mkldnn, experts)) if known else ()
         return cls(gating, tuple(experts), many, outputs.mean.detach().clone())
 
-    @property
-    def bytes(self) -> int:
-        """Number of bytes that a step of one character reads."""
-        arrays = [array for part in self.gating for array in part]
-        return sum(array.nbytes for array in (*arrays, *self.experts, self.mean))
-
 
 def _array(tensor: torch.Tensor) -> np.ndarray:
     return np.array(tensor.detach().numpy(), np.float32, order="C")
