@@ -51,11 +51,6 @@ class CompiledModel:
 
         self.pose(self.step(state, Command()))  # compiles the kernels, or reads them from disk
 
-    def __getattr__(self, name: str):
-        raise AttributeError(
-            f"a compiled model has no {name!r}; use the model from which it was compiled"
-        )
-
     def step(self, state: CharacterState, command: Command) -> CharacterState:
         """`toolkit.runtime.step`."""
         count = len(state.history)
