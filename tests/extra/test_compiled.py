@@ -215,7 +215,7 @@ def raised(error):
 def test_long_work_is_compiled_with_a_word(small, monkeypatch, kept, frames, compiles, words):
     said, made = [], object()
     monkeypatch.setattr("toolkit.extra.compiled._kept", lambda kernel: kept)
-    monkeypatch.setattr("toolkit.extra.compiled.compile", lambda model: made)
+    monkeypatch.setattr("toolkit.extra.compiled.CompiledModel", lambda model: made)
     found = tk.runtime.quick(small, frames, said.append)
     assert found is (made if compiles else small)
     assert len(said) == words

@@ -24,9 +24,16 @@ Ask = Callable[[int, Pair], tuple[Sequence[float], Sequence[float], Tensor]]  # 
 
 
 class CompiledModel:
-    """A model with compiled `step` and `pose`, made by `compile`; use it in place of a model.
+    """A model compiled for this processor, to take its place in `toolkit.runtime`.
 
-    Its weights are copies: later training of the model does not change it.
+    `toolkit.runtime.compile` is its name there. The first call on a machine compiles, later calls
+    read the code from disk. The weights are copies: later training of the model does not change
+    them. ``docs/runtime.md`` gives times, and differences from the plain model.
+
+    Raises
+    ------
+    ValueError
+        If the model is not an LPN-FiLM, or is calibrated.
     """
 
     def __init__(self, model):
@@ -148,20 +155,6 @@ step.register(CompiledModel)(CompiledModel.step)
 pose.register(CompiledModel)(CompiledModel.pose)
 
 
-def compile(model) -> CompiledModel:
-    """The same model compiled for this processor, to take its place in `toolkit.runtime`.
-
-    The first call on a machine compiles, later calls read the code from disk. ``docs/runtime.md``
-    gives times, and differences from the plain model.
-
-    Raises
-    ------
-    ValueError
-        If the model is not an LPN-FiLM, or is calibrated.
-    """
-    return CompiledModel(model)
-
-
 def quick(model, frames: int, say: Callable[[str], object] | None = None):
     """The model compiled if so many frames are worth it, else as it is.
 
@@ -176,7 +169,7 @@ def quick(model, frames: int, say: Callable[[str], object] | None = None):
         return model
     if say is not None and not kept:
         say("The runtime is compiled, which takes half a minute; it is kept for the next time.")
-    return compile(model)
+    return CompiledModel(model)
 
 
 def _kept(kernel) -> bool:
