@@ -18,7 +18,6 @@ class Inspection(Findings):
     name: str  # of the file
     format: str
     clip: Clip
-    mirror_pairs: dict[str, str]  # left joint: right joint
     contact: dict[str, float]  # share of frames in contact, right and left; empty without toes
 
     @property
@@ -41,6 +40,7 @@ class Inspection(Findings):
         clip, roles, rules = self.clip, self.roles, self.rules
         contact = ", ".join(f"{side} {share:.0%}" for side, share in self.contact.items())
         hips = f"{roles.get('hips', '—')} ({rules.get('hips', 'not found')})"
+        pairs = sum(a < b for a, b in enumerate(clip.skeleton.mirror_pairs))
         rows = [
             ("file", f"{self.name}, {self.format}"),
             ("motion", f"{len(clip)} frames at {self.fps:g} Hz, {clip.seconds:.1f} s"),
@@ -52,7 +52,7 @@ class Inspection(Findings):
                       f"{100 * self.drift:+.1f} cm over the clip"),
             ("upright", "yes" if self.upright else "no"),
             ("contact", contact or "no toes"),
-            ("pairs", f"{len(self.mirror_pairs)} of left and right joints"),
+            ("pairs", f"{pairs} of left and right joints"),
             ("hips", hips),
         ]
         for part in dict.fromkeys(role.split("_")[-1] for role in ROLES[1:]):
@@ -70,18 +70,9 @@ def inspect(path: str | os.PathLike, unit: float | str = "auto", up: str = "auto
     path = Path(path)
     recording = read(path, animation)
     clip, found = interpret(recording, path, unit, up, roles)
-    skeleton = clip.skeleton
     contact = {}
-    if skeleton.has("toe"):
+    if clip.skeleton.has("toe"):
         shares = contacts.detect(clip).mean(0).tolist()
         contact = dict(zip(contacts.FEET, shares, strict=True))
-
-    # Each pair stands once: a joint with a left role comes first, else the first in the file.
-    left = {joint for role, joint in skeleton.roles.items() if role.startswith("left")}
-    pairs = {}
-    for a, b in enumerate(skeleton.mirror_pairs):
-        here, there = skeleton.names[a], skeleton.names[b]
-        if a != b and (here in left or (there not in left and a < b)):
-            pairs[here] = there
     return Inspection(**vars(found), name=clip.name, format=recording.format, clip=clip,
-                      mirror_pairs=pairs, contact=contact)
+                      contact=contact)
