@@ -1,16 +1,4 @@
-"""Add-ons: what neither of the two papers needs. The core finds them by name (`toolkit.registry`).
-
-| folder | contents |
-| --- | --- |
-| `formats` | glTF, FBX and NumPy files; what is guessed about files of unknown origin |
-| `characters` | skinned characters of one's own, retargeting |
-| `shots` | planned motion: paths, keys over time, scenes, crowds, the Director |
-| `compiled` | the runtime in numba |
-| `matching` | motion matching: a search in the data in the place of a network |
-| `store` | features on the disk, computed by several processes |
-| `benchmark` | StyleWalk, a benchmark of steered walks in a style |
-| `engines` | glTF, OpenUSD, AMASS and ONNX files |
-"""
+"""Add-ons: what neither of the two papers needs. Found by name (`toolkit.registry`)."""
 
 from toolkit.registry import modules, register
 
