@@ -1,7 +1,7 @@
 """Least-squares sinusoids a·sin(2π(f·t − s)) + b in a window around every frame.
 
 The model is that of Starke et al. 2020, section 5.2. `toolkit.phases.variable_projection` has the
-mathematics, and `python -m experiments fit` measures the speed.
+mathematics.
 """
 
 import math
