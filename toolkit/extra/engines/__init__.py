@@ -1,4 +1,4 @@
-"""Files for game engines: glTF and ONNX."""
+"""Writers of files: glTF, OpenUSD, SMPL and ONNX."""
 
 from toolkit import registry
 
