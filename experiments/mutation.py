@@ -21,6 +21,7 @@ from tqdm import tqdm
 from experiments import tables
 
 HERE = Path(__file__).parents[1]
+MUTANTS, LIMIT = 30, 120  # of a group; seconds for the tests of a mutant
 #: Sources, and the tests that should see a fault in them; names that a checkout lacks are passed.
 GROUPS = {
     "rotations": ("motion/rotations.py", "rotations motion"),
@@ -165,18 +166,18 @@ def tests_pass(copy: Path, group: str, limit: float) -> bool:
     return (found if found[0] else os.waitpid(child, 0))[1] == 0
 
 
-def survivors(copy: Path, group: str, mutants: int, seed: int, limit: float):
+def survivors(copy: Path, group: str, seed: int):
     """Number of mutants tried in one group, and a list with a line for each that no test saw."""
     sources = [path for pattern in GROUPS[group][0].split()
                for path in sorted((copy / "toolkit").glob(pattern))]
     began = time.monotonic()
-    if not tests_pass(copy, group, 30 * limit):
+    if not tests_pass(copy, group, 30 * LIMIT):
         raise ValueError(f"{group}: the tests must pass before the code is mutated")
-    limit = max(limit, 3 * (time.monotonic() - began))
+    limit = max(LIMIT, 3 * (time.monotonic() - began))
     # a place is a file and a number, since each mutant starts from a fresh tree
     counts = {path: len(places(ast.parse(path.read_bytes()))) for path in sources}
     everywhere = [(path, i) for path in sources for i in range(counts[path])]
-    chosen = random.Random(seed).sample(everywhere, min(mutants, len(everywhere)))
+    chosen = random.Random(seed).sample(everywhere, min(MUTANTS, len(everywhere)))
     unseen = []
     for path, i in tqdm(chosen, desc=group, disable=None):
         text = path.read_bytes()
@@ -195,10 +196,7 @@ def survivors(copy: Path, group: str, mutants: int, seed: int, limit: float):
 
 def run(
     group: Annotated[list[str] | None, typer.Option(help="Groups; all, if none.")] = None,
-    mutants: Annotated[int, typer.Option(min=1, help="Mutants in each group.")] = 30,
     seed: Annotated[int, typer.Option(help="Seed of their choice.")] = 0,
-    root: Annotated[Path, typer.Option(help="The checkout that is tested.")] = HERE,
-    limit: Annotated[float, typer.Option(help="Seconds for the tests of a mutant.")] = 120,
     store: tables.Store = False,
 ) -> None:
     """Plant faults in a copy of the code, one at a time, and count those that the tests detect."""
@@ -209,9 +207,9 @@ def run(
         importlib.import_module(name)
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder) / "checkout"
-        shutil.copytree(root, copy, ignore=NOT_COPIED)
+        shutil.copytree(HERE, copy, ignore=NOT_COPIED)
         for name in group or GROUPS:
-            tried, unseen = survivors(copy, name, mutants, seed, limit)
+            tried, unseen = survivors(copy, name, seed)
             print(f"{name}: {tried} mutants, {len(unseen)} survive", flush=True)
             equal = sum("(no test sees it)" not in line for line in unseen)
             row = {"group": name, "seed": seed, "mutants": tried, "detected": tried - len(unseen),

@@ -42,8 +42,6 @@ def run(
     parameters: verbs.Published = None,
     model: verbs.TrainedRun = None,
     start: Start = 0,
-    stop: Annotated[int
-                    | None, typer.Option(help="Frame after the last; default: the end.")] = None,
     calibrated: Annotated[bool, typer.Option("--calibrated",
                                              help="Use calibrated inference.")] = False,
     store: Store = False,
@@ -59,11 +57,11 @@ def run(
     motion = bvh.load(clip)
     if features.Layout(motion.skeleton).names != net.layout.names:
         motion = retarget(motion, net.layout.skeleton).replace(name=f"{clip.name}, retargeted")
-    row = published.one_step(net, bank, motion, style, (start, stop))
+    row = published.one_step(net, bank, motion, style, (start, None))
     right, left = row["contact_correlation"]
     print(f"{style}, {row['frames']} frames: joint MSE {row['joint_mse']:.4f}, contact correlation "
           f"{right:.3f} and {left:.3f}, phase error {row['phase_error']:.3f}")
-    errors, floors = ranked(net, bank, motion, (start, stop))
+    errors, floors = ranked(net, bank, motion, (start, None))
     rank, other = list(errors).index(style) + 1, next(name for name in errors if name != style)
     print(f"joint MSE in the model's normalised units: repeating the frame "
           f"{floors['repeat']:.3f}, the mean pose {floors['mean']:.3f}\n{style} is number {rank} "

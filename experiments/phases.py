@@ -2,11 +2,8 @@
 
 import math
 from dataclasses import dataclass, replace
-from pathlib import Path
-from typing import Annotated
 
 import torch
-import typer
 from course import labels
 from course.labels import Row, measure
 from torch import Tensor
@@ -18,6 +15,7 @@ from toolkit.motion.contacts import FEET
 
 STAGGERING = ("Neutral", "Zombie")  # also measured with the random steps of the Drunk
 CASES = ("cyclic", "asymmetric", "no global phase", "one leg never touches", "stochastic")
+SECONDS = 30.0  # of a clip
 PLANNED = ("Neutral", "Old", "Zombie", "Drunk")  # styles that are labelled by their true contacts
 #: Columns of the stored results that are no errors.
 TITLES = {"case": ["styles"], "styles": ["of them", 0], "limbs": ["limbs"], "take": ["take"],
@@ -41,31 +39,20 @@ PARTS = {"feet": Part(slice(2, 4), "contact"),
          "hands": Part(slice(0, 2), "contact-free")}
 
 
-def run(
-    styles: Annotated[str | None, typer.Option(help="Comma-separated names; default: all.")] = None,
-    gaits: Annotated[str, typer.Option(help="Comma-separated gaits.")] = "FW",
-    seconds: Annotated[float, typer.Option(help="Length of each clip.")] = 30.0,
-    seed: Annotated[int, typer.Option(help="Seed of the clips.")] = 0,
-    source: Annotated[str, typer.Option(help="Comma-separated phase sources.")] = ",".join(
-        ph.SOURCES),
-    labelled: Annotated[Path | None, typer.Option(
-        help="Folder of labelled takes (Holden et al. 2017); default: "
-             f"{labels.NAME} in the folder of datasets.")] = None,
-    store: Store = False,
-) -> None:
-    """Errors of the phase sources against the truth about procedural clips and against labels."""
-    sources = {name: ph.named(name) for name in source.split(",")}
-    chosen = styles.split(",") if styles else procedural.STYLES
-    named = {name: procedural.STYLES.get(name, name) for name in chosen}
-    if styles is None:
-        for name in STAGGERING:
-            named[f"{name} staggering"] = replace(procedural.STYLES[name], stagger=1.0)
+def run(store: Store = False) -> None:
+    """Errors of the phase sources against the truth about procedural clips and against labels.
+
+    The labels are those of the takes of Holden et al. 2017 in the folder of datasets.
+    """
+    sources = {name: ph.named(name) for name in ph.SOURCES}
+    named = dict(procedural.STYLES)
+    for name in STAGGERING:
+        named[f"{name} staggering"] = replace(procedural.STYLES[name], stagger=1.0)
     rows: dict[str, list[Row]] = {case: [] for case in CASES}
-    for gait in gaits.split(","):
-        for name, style in named.items():
-            made = name if name in procedural.STYLES else style
-            clip, known = procedural.truth(made, gait, seconds, seed)
-            rows[case(style)].append(measure(f"{name} {gait}", clip, known, sources))
+    for name, style in named.items():
+        made = name if name in procedural.STYLES else style
+        clip, known = procedural.truth(made, "FW", SECONDS, 0)
+        rows[case(style)].append(measure(f"{name} FW", clip, known, sources))
 
     kept = []
     for group, members in rows.items():
@@ -73,12 +60,12 @@ def run(
             means = {name: float(torch.stack([row.phase[name][part.columns]
                                               for row in members]).nanmean()) for name in sources}
             kept.append({"case": group, "styles": len(members), "limbs": limbs, **means})
-    walks = f"Mean circular error in procedural walks of {seconds:g} s, degrees, less a lag of"
+    walks = f"Mean circular error in procedural walks of {SECONDS:g} s, degrees, less a lag of"
     about = {
         "phases": f"{walks} each limb",
         "phases-labelled": "Mean errors of the feet in moving frames against labelled phases, "
                            "degrees, less a constant lag of each"}
-    for name, members in zip(about, (kept, against(sources, labelled, seconds, seed)), strict=True):
+    for name, members in zip(about, (kept, against(sources)), strict=True):
         keys = dict.fromkeys(key for row in members for key in row)
         columns = {key: TITLES.get(key, [f"`{key}`" if key in sources else key, 1]) for key in keys}
         numbers = worst(rows["cyclic"]) if name == "phases" else {}
@@ -103,16 +90,15 @@ def worst(rows: list[Row]) -> dict[str, float]:
     return found | {"F1": min(min(row.f1) for row in rows)}
 
 
-def against(sources: dict[str, ph.Source], folder: Path | None, seconds: float,
-            seed: int) -> list[dict]:
+def against(sources: dict[str, ph.Source]) -> list[dict]:
     """Errors against labelled phases: of procedural transitions, and of recorded takes.
 
     The label is straight between the touch-downs of both feet, the floor between those of one.
     """
-    takes = [(f"{style} TR1 (procedural)", labels.planned(style, "TR1", seconds, seed))
+    takes = [(f"{style} TR1 (procedural)", labels.planned(style, "TR1", SECONDS, 0))
              for style in PLANNED]
-    place = folder or home.folder(labels.NAME)
-    if folder is not None or place.is_dir():
+    place = home.folder(labels.NAME)
+    if place.is_dir():
         takes += [(f"{take.clip.name} (recorded)", take) for take in labels.read(place)]
     else:
         print(f"no labelled recordings: {place} does not exist")

@@ -3,10 +3,8 @@
 import math
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Annotated
 
 import torch
-import typer
 
 from experiments.tables import Result, Store
 from toolkit import published, runtime
@@ -33,7 +31,6 @@ COLUMNS = {
 def run(
     model: verbs.TrainedRun = None,
     parameters: verbs.Published = None,
-    folder: Annotated[Path, typer.Option(help="Folder of shot files.")] = FOLDER,
     store: Store = False,
 ) -> None:
     """Distance from the path, arrivals and foot skate of every shot, beside the pilot of
@@ -42,7 +39,7 @@ def run(
     net, bank = published.either(model, parameters)
     net, rows = runtime.compile(net), []
     name = "embedded" if parameters is None else "published"
-    for file in sorted(folder.glob("*.json")):
+    for file in sorted(FOLDER.glob("*.json")):
         scene = Scene.load(file)
         if scene.apart is None:  # who keeps apart leaves the path: `experiments.crowds`
             for shot in scene.shots:

@@ -10,11 +10,9 @@ import time
 import warnings
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Annotated
 
 import numpy as np
 import torch
-import typer
 
 from toolkit import datasets
 from toolkit.io import bvh
@@ -64,20 +62,17 @@ def _bvhio() -> Reader:
 PEERS = {"pybvh": _pybvh, "upc-pymotion": _pymotion, "bvhsdk": _bvhsdk, "bvhio": _bvhio}
 
 
-def run(
-    file: Annotated[Path
-                    | None,
-                    typer.Option(help="A BVH file; default: 3,000 procedural frames.")] = None,
-) -> None:
+def run() -> None:
     """Time from a BVH file to world positions on one core, compared with the Python packages of the
     extra `bench`.
+
+    The file has 3,000 frames.
     """
     torch.set_num_threads(1)
+    (walk,) = datasets.load("procedural", styles=["Neutral"], gaits=["FW"], seconds=55.0)
     with tempfile.TemporaryDirectory() as folder:
-        if file is None:
-            file = Path(folder) / "walk.bvh"
-            bvh.save(datasets.load("procedural", styles=["Neutral"], gaits=["FW"],
-                                   seconds=55.0)[0].cut(0, 3000), file)
+        file = Path(folder) / "walk.bvh"
+        bvh.save(walk.cut(0, 3000), file)
         _compare(file)
 
 

@@ -22,6 +22,8 @@ from toolkit.view.pages import live_page
 
 SCENE = Path(live_page.__file__).parents[1] / "scene"
 SCRIPT = Path(__file__).with_suffix(".js")
+COUNTS = [1, 2, 4, 8, 16, 32, 64]  # characters
+ROUNDS = 60  # of which the shortest counts
 COLUMNS = {"model": ["model"], "where": ["where"], "characters": ["characters", 0],
            "network": ["network, ms each", 3],
            "floor": ["its floor", 3], "frame": ["network and frame", 3],
@@ -42,12 +44,8 @@ WALK = """(character, commands, style) => {
 def run(
     model: verbs.TrainedRun = None,
     parameters: verbs.Published = None,
-    characters: Annotated[str,
-                          typer.Option(help="Numbers of characters.")] = "1,2,4,8,16,32,64",
-    rounds: Annotated[int, typer.Option(min=1, help="Rounds; the shortest time is printed.")] = 60,
     equality: Annotated[bool, typer.Option(
         "--equality", help="Compare rollouts in Node with Python's instead.")] = False,
-    styles: Annotated[int, typer.Option(min=1, help="Number of styles to compare.")] = 20,
     store: Store = False,
 ) -> None:
     """Milliseconds of a page's network and whole frame (without picture), JavaScript and
@@ -61,7 +59,7 @@ def run(
     kind = "published" if parameters else "embedded" if model is None else "trained"
     if equality:
         rows = [{"compared": f"{kind}: {what}", **row}
-                for what, row in _equal(net, bank, styles).items()]
+                for what, row in _equal(net, bank).items()]
         made = Result("page-equality",
                       "Rollouts of 20 styles with 600 frames in Node and in Python: largest "
                       "distance of any joint in any style",
@@ -71,8 +69,8 @@ def run(
         if store:
             made.add()
         return
-    data, counts = live_page.pack(net, bank), [int(n) for n in characters.split(",")]
-    found = _in_node({"data": data, "counts": counts, "rounds": rounds}, f"""
+    data = live_page.pack(net, bank)
+    found = _in_node({"data": data, "counts": COUNTS, "rounds": ROUNDS}, f"""
         const {{ measure }} = await import({json.dumps(SCRIPT.as_uri())});
         result = await measure(load, given.data, given.counts, given.rounds);""")
     rate, speed = found["floor"]["sums"], found["floor"]["bytes"]
@@ -84,16 +82,16 @@ def run(
                      "network": row["network"] / count, "floor": floor / count,
                      "frame": row["frame"] / count, "pose": found["pose"]})
     made = Result("page-speed",
-                  f"milliseconds of processor time a character and frame, shortest of {rounds}, "
+                  f"milliseconds of processor time a character and frame, shortest of {ROUNDS}, "
                   "one thread", "python -m experiments page", COLUMNS, rows,
                   {"million weights": found["weights"] / 1e6, "G multiply-adds/s": rate / 1e9,
                    "GB/s": speed / 1e9})
     made.show(store)
 
 
-def _equal(net, bank, count: int) -> dict[str, dict[str, float]]:
+def _equal(net, bank) -> dict[str, dict[str, float]]:
     """Largest distances, metres, of a joint in walks of `WAYS`, at `FRAMES`; bytes of the page."""
-    vectors, found = some(bank, count), {}
+    vectors, found = some(bank), {}
     orders = [command for way in WAYS for command in runtime.straight(*way)]
     commands = [{"velocity": list(c.velocity), "facing": list(c.facing)} for c in orders]
     walked = walks({"plain": net, "double precision": copy.deepcopy(net).double()}, vectors, orders)

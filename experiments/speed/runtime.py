@@ -22,6 +22,8 @@ from toolkit.networks import Model
 from toolkit.runtime.life import alive
 
 PEERS = (1, 64)  # numbers of characters for the comparison
+STYLES = 20  # that are compared
+ROUNDS = 10  # of ten calls each, of which the median counts
 FRAMES = (60, 300, 600)  # at which rollouts are compared
 #: Parts of the rollouts that are compared: m/s, seconds, direction (x, z).
 WAYS = (0.8, 3.0, (0.0, 1.0)), (1.6, 3.0, (1.0, 0.0)), (0.8, 4.0, (1.0, 1.0))
@@ -37,11 +39,8 @@ EQUALITY = {"compared": ["runtimes compared"],
 def run(
     model: verbs.TrainedRun = None,
     parameters: verbs.Published = None,
-    rounds: Annotated[int, typer.Option(min=1,
-                                        help="Rounds of ten calls; medians are printed.")] = 10,
     equality: Annotated[bool, typer.Option(
         "--equality", help="Compare rollouts with the plain model instead.")] = False,
-    styles: Annotated[int, typer.Option(min=1, help="Number of styles to compare.")] = 20,
     store: Store = False,
 ) -> None:
     """Times of the network and of a whole frame, compared with the machine's limit, plain PyTorch
@@ -57,7 +56,7 @@ def run(
         if equality:
             kind = "published" if parameters else "embedded" if model is None else "trained"
             rows = [{"compared": f"{kind}: {name}", **row}
-                    for name, row in _equal(net, fast, bank, styles).items()]
+                    for name, row in _equal(net, fast, bank).items()]
             made = Result("runtime-equality",
                           "Rollouts of 20 styles with 600 frames, with turns and changes of "
                           "speed: largest "
@@ -65,8 +64,8 @@ def run(
                           "python -m experiments runtime --equality [--published "
                           "DATA/lpn_film_100style] --store", EQUALITY, rows)
         else:
-            rate, speed = _machine(fast, rounds)
-            rows = _beside(net, fast, bank, rounds, rate, speed)
+            rate, speed = _machine(fast)
+            rows = _beside(net, fast, bank, rate, speed)
             command = (
                 f"python -m experiments "
                 f"runtime{' --published DATA/lpn_film_100style' * bool(parameters)} --store"
@@ -98,14 +97,14 @@ def _size(weights: network.Weights) -> int:
     return sum(array.nbytes for array in (*arrays, *weights.experts, weights.mean))
 
 
-def _times(works: dict[str, Callable[[], object]], rounds: int,
+def _times(works: dict[str, Callable[[], object]],
            clock: Callable[[], float] = time.thread_time) -> dict[str, float]:
     """Median seconds of each, in rounds of ten calls, of which the first two are not measured.
 
     The CPU time of the thread is not affected by other load on the machine.
     """
     taken: dict[str, list[float]] = {name: [] for name in works}
-    for _ in range(rounds):
+    for _ in range(ROUNDS):
         for name, work in works.items():
             for call in range(10):
                 start = clock()
@@ -115,7 +114,7 @@ def _times(works: dict[str, Callable[[], object]], rounds: int,
     return {name: float(np.median(values)) for name, values in taken.items()}
 
 
-def _machine(fast, rounds: int) -> tuple[float, float]:
+def _machine(fast) -> tuple[float, float]:
     """Multiply-adds per second of one core in a large product, and bytes per second that it reads
     from memory, with as many numbers as this model has weights.
     """
@@ -129,14 +128,14 @@ def _machine(fast, rounds: int) -> tuple[float, float]:
         return result
 
     weights, square = np.ones(_size(fast.weights) // 4, np.float32), torch.rand(1024, 1024)
-    done = _times({"sum": lambda: total(weights), "product": lambda: square @ square}, rounds)
+    done = _times({"sum": lambda: total(weights), "product": lambda: square @ square})
     rate, speed = 1024**3 / done["product"], weights.nbytes / done["sum"]
     print(f"one core: {rate / 1e9:.1f} G multiply-adds/s, {speed / 1e9:.1f} GB/s from "
           f"{weights.nbytes / 1e6:.1f} MB")
     return rate, speed
 
 
-def _beside(net: Model, fast, bank, rounds: int, rate: float, speed: float) -> list[dict]:
+def _beside(net: Model, fast, bank, rate: float, speed: float) -> list[dict]:
     """Network and frame of one character and of many, on one core, beside the floor and others:
     rows of `SPEED`.
     """
@@ -159,7 +158,7 @@ def _beside(net: Model, fast, bank, rounds: int, rate: float, speed: float) -> l
             frames = {f"whole frame, {name}": _frame(form, bank, count, life)
                       for name, form, life in (("plain", net, 0.0), ("toolkit", fast, 0.0),
                                                ("toolkit, with life", fast, 0.2))}
-            taken = {"floor": floor} | _times(works, rounds) | _times(frames, rounds)
+            taken = {"floor": floor} | _times(works) | _times(frames)
         for name, seconds in taken.items():
             row = table.setdefault(name, {"work": name})
             row |= {str(count): 1e6 * seconds / count, f"{count} floors": seconds / floor}
@@ -228,20 +227,20 @@ def _frame(model, bank, count: int, life: float) -> Callable[[], object]:
     return frame
 
 
-def _equal(net: Model, fast, bank, styles: int) -> dict[str, dict[str, float]]:
+def _equal(net: Model, fast, bank) -> dict[str, dict[str, float]]:
     """Rollouts of 600 frames of the compiled and the plain model, compared with each other and with
     double precision: `farthest` of each pair.
     """
     commands = [command for way in WAYS for command in runtime.straight(*way)]
     forms = {"plain": net, "compiled": fast, "double precision": copy.deepcopy(net).double()}
-    clips = walks(forms, some(bank, styles), commands)
+    clips = walks(forms, some(bank), commands)
     pairs = (("compiled", "plain"), ("compiled", "double precision"), ("plain", "double precision"))
     return {f"{a} and {b}": farthest(clips[a], clips[b]) for a, b in pairs}
 
 
-def some(bank, count: int) -> Tensor:
-    """Vectors of so many styles, evenly over the bank."""
-    return bank.vectors[:: max(1, len(bank) // count)][:count]
+def some(bank) -> Tensor:
+    """Vectors of `STYLES` styles, evenly over the bank."""
+    return bank.vectors[:: max(1, len(bank) // STYLES)][:STYLES]
 
 
 def walks(forms: dict[str, Model], vectors: Tensor, commands) -> dict[str, list[Clip]]:

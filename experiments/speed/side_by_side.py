@@ -13,6 +13,7 @@ import typer
 
 HERE = Path(__file__).parents[2]
 SLOWER = 1.1  # a larger ratio is marked
+ROUNDS = 7  # runs of each work, of which the median counts
 CLIPS = (
     "clips = tk.datasets.load('procedural', styles=['Neutral', 'Zombie'], gaits=['FW'], seconds=20)"
 )
@@ -83,12 +84,12 @@ class Checkout:
         return float(self.process.stdout.readline() or "nan")
 
 
-def compare(trees: list[Path], prepare: str, work: str, rounds: int) -> list[float]:
+def compare(trees: list[Path], prepare: str, work: str) -> list[float]:
     """Median processor seconds of some work in each checkout, measured in turns."""
     taken: list[list[float]] = [[] for _ in trees]
     with tempfile.TemporaryDirectory() as folder:
         checkouts = [Checkout(tree, folder) for tree in trees]
-        for turn in range(rounds + 1):
+        for turn in range(ROUNDS + 1):
             for checkout, seconds in zip(checkouts, taken, strict=True):
                 # the first call prepares and compiles, and is not counted
                 found = checkout.seconds("" if turn else prepare, work)
@@ -100,8 +101,6 @@ def compare(trees: list[Path], prepare: str, work: str, rounds: int) -> list[flo
 
 def run(
     base: Annotated[Path, typer.Option(help="The older checkout, e.g. of `git worktree add`.")],
-    rounds: Annotated[int, typer.Option(min=1, help="Runs of each work; medians count.")] = 7,
-    only: Annotated[str, typer.Option(help="Works whose name contains this text.")] = "",
 ) -> None:
     """Processor time of the same work in an older checkout and in this one, as ratios, on one
     core.
@@ -110,9 +109,7 @@ def run(
         raise ValueError(f"{base}: is no checkout of the package: it has no toolkit/__init__.py")
     print(f"{'':<34}{'before, ms':>12}{'after, ms':>12}{'ratio':>8}")
     for name, (prepare, work) in WORKS.items():
-        if only not in name:
-            continue
-        old, new = compare([base.resolve(), HERE], prepare, work, rounds)
+        old, new = compare([base.resolve(), HERE], prepare, work)
         mark = " slower" if new > SLOWER * old else ""
         print(f"{name:<34}{1000 * old:>12.1f}{1000 * new:>12.1f}{new / old:>8.2f}{mark}",
               flush=True)

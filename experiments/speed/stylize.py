@@ -1,34 +1,32 @@
 """Speed of stylisation: restyling a clip of 1,000 frames with networks of the paper's size."""
 
 import time
-from typing import Annotated
 
 import torch
-import typer
 
 from toolkit import datasets
 from toolkit.stylization import build, stylize
 from toolkit.stylization.data import FPS
 from toolkit.stylization.networks import Sizes, build as networks
 
+FRAMES = 1000  # of the clip, at 30 Hz
+REPEATS = 5  # of which the shortest counts
 
-def run(
-    frames: Annotated[int, typer.Option(help="Length of the clip at 30 Hz.")] = 1000,
-    repeats: Annotated[int, typer.Option(help="Repetitions; the least is printed.")] = 5,
-) -> None:
+
+def run() -> None:
     """Seconds to restyle a clip on two threads, compared with its duration (real time).
 
     The weights are random, which does not change the speed.
     """
     (walk,) = datasets.load("procedural", styles=["Neutral"], gaits=["FW"],
-                            seconds=frames / FPS + 1)
-    clip = walk.resample(FPS).cut(0, frames)
+                            seconds=FRAMES / FPS + 1)
+    clip = walk.resample(FPS).cut(0, FRAMES)
     motions = build([clip])
     torch.set_num_threads(2)
     torch.manual_seed(0)
     model = networks(motions.graph, motions.domains, Sizes(), motions.statistics())[0].eval()
     taken = []
-    for _ in range(repeats):
+    for _ in range(REPEATS):
         began = time.perf_counter()
         stylize(model, clip.replace(), domain=model.domains[0])
         taken.append(time.perf_counter() - began)

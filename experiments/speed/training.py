@@ -4,12 +4,10 @@ import contextlib
 import os
 import time
 from collections.abc import Iterator
-from typing import Annotated
 from unittest import mock
 
 import numpy as np
 import torch
-import typer
 from torch import Tensor, nn
 
 from toolkit import datasets, features, networks
@@ -20,6 +18,7 @@ from toolkit.training.minibatches import Minibatches
 from toolkit.training.run import Config
 
 STYLES = ("Neutral", "Zombie", "Strut", "Old")
+REPEATS = 9  # steps, of which the median is printed
 #: Style clips per minibatch and precision.
 FORMS = {
     "plain": (32, "32"),
@@ -42,9 +41,7 @@ def plain() -> Iterator[None]:
         yield
 
 
-def run(
-    repeats: Annotated[int, typer.Option(min=1, help="Steps; the median is printed.")] = 9,
-) -> None:
+def run() -> None:
     """Milliseconds of a training step, compared with a plain implementation.
 
     They are for the paper's sizes and a batch of 32. All implementations train the same model in
@@ -59,7 +56,7 @@ def run(
     model.normalise(networks.normalisers(model.layout, data))
     seconds: dict[str, list[float]] = {name: [] for name in FORMS}
     optimisers: dict[bool, torch.optim.Optimizer] = {}
-    for turn in range(-1, repeats):  # the first turn is not counted
+    for turn in range(-1, REPEATS):  # the first turn is not counted
         for name, (clips, precision) in FORMS.items():
             config = Config(clips_per_batch=clips, precision=precision)
             fabric = distributed.start(config.device, config.processes)
@@ -75,7 +72,7 @@ def run(
 
     count = sum(p.numel() for p in model.parameters())
     print(f"a step of {count:,} parameters, batch 32, {torch.get_num_threads()} threads, median "
-          f"of {repeats}\n{'':<24}{'ms':>8}{'speed-up':>15}")
+          f"of {REPEATS}\n{'':<24}{'ms':>8}{'speed-up':>15}")
     usual = float(np.median(seconds["plain"]))
     for name, taken in seconds.items():
         own = float(np.median(taken))

@@ -29,6 +29,7 @@ from toolkit.stylization.training import Config
 
 OUT = Path("out/stylization")
 USUAL, SCORED = 60.0, "test"  # seconds of the comparison; the part of the data
+SEEDS = range(3)  # of the runs of a method
 BLEND = ", blend"  # after the name of a method: half of it, half shift and scale
 OURS: dict[str, dict] = {  # what differs from `Config.quick`
     "ours": {},
@@ -65,7 +66,6 @@ class Plan:
 def run(
     out: Annotated[Path, typer.Option(help="Folder of the runs; none is repeated.")] = OUT,
     seconds: Annotated[float, typer.Option(min=1, help="Processor time of a training.")] = USUAL,
-    seeds: Annotated[str, typer.Option(help="Comma-separated; a run of each.")] = "0,1,2",
     methods: Annotated[str, typer.Option(help="Comma-separated.")] = ",".join(METHODS),
     store: Store = False,
 ) -> None:
@@ -80,7 +80,7 @@ def run(
     plan = Plan(seconds)
     settle(out, plan)
     task = sets.walks_and_runs()
-    for seed in map(int, seeds.split(",")):
+    for seed in SEEDS:
         for method in names:
             measure(method, task, plan, seed, out, progress=True)
     summary(task, plan, out).show(store)

@@ -2,11 +2,8 @@
 
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
-from pathlib import Path
-from typing import Annotated
 
 import torch
-import typer
 from torch import Tensor
 
 from experiments.seven_models.models import machine
@@ -24,6 +21,7 @@ GROUPS = (("active", "angry", "musical", "tired"),
           ("happy", "masculinity", "old", "proud"))
 KINDS = {"regression": Judge, "network": NetworkJudge}
 METHODS = ("ours", "1-D convolutions")
+ITERATIONS, SEEDS = 2000, [0, 1, 2]  # of the trainings
 WINDOWS = 48  # of a part, at most, that are restyled
 DRAWS = 1000  # of the bootstrap
 SHARES = ("content", "style", "both", "movement")
@@ -42,24 +40,20 @@ Found = dict[tuple[str, str], list[dict[str, Tensor]]]
 Models = dict[tuple[str, int], Stylizer]  # by method and seed
 
 
-def run(
-    out: Annotated[Path, typer.Option(help="Folder of the runs; none is repeated.")] = (
-        comparison.OUT / "rotation"),
-    iterations: Annotated[int, typer.Option(min=1, help="Of each training.")] = 2000,
-    seeds: Annotated[str, typer.Option(help="Comma-separated; a training of each.")] = "0,1,2",
-    store: Store = False,
-) -> None:
-    """Restyle to each of twelve styles with a recipe that was chosen on five of them."""
+def run(store: Store = False) -> None:
+    """Restyle to each of twelve styles with a recipe that was chosen on five of them.
+
+    No finished training is repeated.
+    """
     torch.set_num_threads(1)
-    numbers = [int(word) for word in seeds.split(",")]
     motions, trainings = sets.dissimilar(), []
     tasks = [sets.few_takes(motions, styles, sets.CONTENTS) for styles in GROUPS]
     models: list[Models] = [{} for _ in tasks]
-    for seed in numbers:
+    for seed in SEEDS:
         for group, task in enumerate(tasks):
             for method in METHODS:
-                path = out / f"{group + 1}-{comparison.slug(method)}-{seed}"
-                config = Config.quick(seed=seed, iterations=iterations)
+                path = comparison.OUT / "rotation" / f"{group + 1}-{comparison.slug(method)}-{seed}"
+                config = Config.quick(seed=seed, iterations=ITERATIONS)
                 model, about = comparison.trained(method, task.train, config, path, True)
                 models[group][method, seed] = model
                 trainings.append({"group": group + 1, "method": method, "seed": seed, **about})
@@ -67,7 +61,7 @@ def run(
     for task, some in zip(tasks, models, strict=True):
         for name, part in scored(task, some):
             found[name].append(part)
-    result = summary(found, trainings, iterations, numbers)
+    result = summary(found, trainings)
     result.show(store)
 
 
@@ -128,7 +122,7 @@ def judged(sources: Motions, target: Tensor, made: Sequence[Tensor],
             "seed": torch.full((len(x),), seed)}
 
 
-def summary(found: Found, trainings: list[dict], iterations: int, seeds: list[int]) -> Result:
+def summary(found: Found, trainings: list[dict]) -> Result:
     """The table: shares by each judge, "both" and movement with their intervals and by seed."""
     whole = {name: {key: torch.cat([part[key] for part in parts], -1) for key in parts[0]}
              for name, parts in found.items()}
@@ -145,7 +139,7 @@ def summary(found: Found, trainings: list[dict], iterations: int, seeds: list[in
             line[share] = " / ".join(texts)
         if (learnt := method.startswith(METHODS)):
             each = [100 * of["right"][:, SHARES.index("both"), of["seed"] == seed].float().mean(-1)
-                    for seed in seeds]  # [2] by each judge
+                    for seed in SEEDS]  # [2] by each judge
             line["seeds"] = " / ".join(", ".join(f"{share:.0f}" for share in judge)
                                        for judge in torch.stack(each, 1))
         lines.append(line | {"agree": float(of["agree"].float().mean()),
@@ -153,10 +147,10 @@ def summary(found: Found, trainings: list[dict], iterations: int, seeds: list[in
         new[name] = of["right"][:, :, of["new"]].double().mean(-1).tolist()
         if learnt:
             gains[name] = interval(of, shift).tolist()
-    about = (f"Bandai-Namco dataset 1, each of twelve styles as a target; {iterations} iterations "
-             f"of each training, {len(seeds)} seeds; by the regression / the network, 95 % "
+    about = (f"Bandai-Namco dataset 1, each of twelve styles as a target; {ITERATIONS} iterations "
+             f"of each training, {len(SEEDS)} seeds; by the regression / the network, 95 % "
              f"intervals over {len(shift['take'].unique())} takes of sources")
-    settings = {"iterations": iterations, "seeds": seeds, "groups": GROUPS,
+    settings = {"iterations": ITERATIONS, "seeds": SEEDS, "groups": GROUPS,
                 "results of a floor": len(shift["take"]),
                 "real windows": len(whole["real motion", ""]["take"]), **machine("cpu")}
     numbers = {"trainings": trainings, "order": [list(KINDS), list(SHARES)],
