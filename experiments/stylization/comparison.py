@@ -96,10 +96,13 @@ def measure(method: str, task: Task, plan: Plan, seed: int, folder: Path,
         judges, sources = judges_of(task), sources_of(task, plan)
         ways = evaluation.WAYS if isinstance(model, Stylizer) else evaluation.WAYS[1:]
         rows, target = evaluation.pairs(sources)
-        shift = shift_and_scale(task.train)(sources.select(rows), target)
-        found = {f"{by}{word}": evaluation.evaluate(model, sources, task.references[SCORED],
-                                                    judges, by, seed, half)
-                 for by in ways for word, half in (("", None), (BLEND, shift))}
+        chosen, found = sources.select(rows), {}
+        shift = shift_and_scale(task.train)(chosen, target)
+        for by in ways:
+            made = evaluation.results(model, sources, task.references[SCORED], by, seed)
+            found[by] = evaluation.measures(chosen, target, made, judges)
+            made = [evaluation.blend(motion, shift) for motion in made]
+            found[by + BLEND] = evaluation.measures(chosen, target, made, judges)
         write_json(path, {"seed": seed, **numbers, "measures": found})
     return json.loads(path.read_text(encoding="utf-8"))
 

@@ -17,9 +17,10 @@ SLIDE = range(-16, 17, 2)  # frames by which one motion is moved over another to
 PAIRS = 400  # of real motions, for their own diversity
 
 
-def evaluate(model: Stylizer, sources: Motions, references: Motions, judges: Judges, by: str,
-             seed: int = 0, shift: Tensor | None = None) -> dict[str, float]:
-    """Restyle every source to every other domain, twice, and measure the results (`measures`).
+@torch.no_grad()
+def results(model: Stylizer, sources: Motions, references: Motions, by: str, seed: int,
+            smooth: bool = False) -> list[Tensor]:
+    """Every source in every other domain, twice: two tensors ``[P, 7, T, N]``, as `pairs`.
 
     Parameters
     ----------
@@ -28,29 +29,13 @@ def evaluate(model: Stylizer, sources: Motions, references: Motions, judges: Jud
         Table 2).
     sources, references
         Motions that the model was not trained on.
-    judges
-        Classifiers that were not trained on these motions.
     by
         Source of the style codes: ``"noise"`` (Table 1), or ``"reference"`` (Table 2), a random
         motion of the domain.
     seed
-        Seed of noise and references.
-    shift
-        Motions ``[P, 7, T, N]`` of which half of each result is made, see `blend`.
-    """
-    rows, target = pairs(sources)
-    made = results(model, sources, references, by, seed)
-    if shift is not None:
-        made = [blend(motion, shift) for motion in made]
-    return measures(sources.select(rows), target, made, judges)
-
-
-@torch.no_grad()
-def results(model: Stylizer, sources: Motions, references: Motions, by: str, seed: int,
-            smooth: bool = False) -> list[Tensor]:
-    """Every source in every other domain, twice: two tensors ``[P, 7, T, N]``, as `pairs`.
-
-    With `smooth` their change is smoothed as in `stylize`.
+        Of noise and references.
+    smooth
+        Whether their change is smoothed as in `stylize`.
     """
     if by not in WAYS:
         raise ValueError(f"style codes come from by= one of {', '.join(WAYS)}, got {by!r}")
