@@ -3,6 +3,7 @@ the data grow.
 """
 
 import time
+import timeit
 from typing import Annotated
 
 import torch
@@ -17,6 +18,7 @@ from toolkit.features import splits
 
 STYLES = ("Neutral", "Zombie", "Aeroplane", "Crouch")
 ROWS = (10_000, 100_000, 1_000_000)  # of the data, for the times
+FRAMES = 30  # of a run, for the times
 MEASURES = {"recognised": ["recognised, %", 0, 100], "upright": ["upright, %", 0, 100],
             "speed": ["speed / asked", 2], "path": ["path, cm", 1, 100],
             "skate": ["skate", 1, 100], "skate_ik": ["skate with IK", 1, 100],
@@ -56,13 +58,9 @@ def megabytes(model) -> float:
     return sum(t.nbytes for t in (*model.parameters(), *model.buffers())) / 1e6
 
 
-def frame_time(model, style: torch.Tensor, frames: int = 30) -> float:
+def frame_time(model, style: torch.Tensor) -> float:
     """Milliseconds of processor time of a `predict` for one character, the least of five runs."""
-    x = model.inputs_mean[None]
-    phases, times = model.phases_mean[None], []
-    for _ in range(5):
-        began = time.process_time()
-        for _ in range(frames):
-            model.predict(x, phases, style)
-        times.append(1000 * (time.process_time() - began) / frames)
-    return min(times)
+    x, phases = model.inputs_mean[None], model.phases_mean[None]
+    taken = timeit.repeat(lambda: model.predict(x, phases, style), timer=time.process_time,
+                          number=FRAMES, repeat=5)
+    return 1000 * min(taken) / FRAMES

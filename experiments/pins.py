@@ -3,7 +3,7 @@
 import dataclasses
 import math
 import random
-import time
+import timeit
 
 import torch
 
@@ -74,12 +74,7 @@ def off(made: Shot, clip) -> float:
 
 def seconds(act) -> float:
     """The shortest time of some tries."""
-    taken = []
-    for _ in range(TRIES):
-        began = time.perf_counter()
-        act()
-        taken.append(time.perf_counter() - began)
-    return min(taken)
+    return min(timeit.repeat(act, number=1, repeat=TRIES))
 
 
 def run(store: Store = False) -> None:

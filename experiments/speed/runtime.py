@@ -4,6 +4,7 @@ PyTorch.
 
 import copy
 import time
+import timeit
 from collections.abc import Callable
 from typing import Annotated
 
@@ -97,8 +98,7 @@ def _size(weights: network.Weights) -> int:
     return sum(array.nbytes for array in (*arrays, *weights.experts, weights.mean))
 
 
-def _times(works: dict[str, Callable[[], object]],
-           clock: Callable[[], float] = time.thread_time) -> dict[str, float]:
+def _times(works: dict[str, Callable[[], object]]) -> dict[str, float]:
     """Median seconds of each, in rounds of ten calls, of which the first two are not measured.
 
     The CPU time of the thread is not affected by other load on the machine.
@@ -106,11 +106,7 @@ def _times(works: dict[str, Callable[[], object]],
     taken: dict[str, list[float]] = {name: [] for name in works}
     for _ in range(ROUNDS):
         for name, work in works.items():
-            for call in range(10):
-                start = clock()
-                work()
-                if call > 1:
-                    taken[name].append(clock() - start)
+            taken[name] += timeit.repeat(work, timer=time.thread_time, number=1, repeat=10)[2:]
     return {name: float(np.median(values)) for name, values in taken.items()}
 
 
