@@ -59,28 +59,23 @@ def run(
         motion = retarget(motion, net.layout.skeleton).replace(name=f"{clip.name}, retargeted")
     row = published.one_step(net, bank, motion, style, (start, None))
     right, left = row["contact_correlation"]
-    print(f"{style}, {row['frames']} frames: joint MSE {row['joint_mse']:.4f}, contact correlation "
-          f"{right:.3f} and {left:.3f}, phase error {row['phase_error']:.3f}")
     errors, floors = ranked(net, bank, motion, (start, None))
-    rank, other = list(errors).index(style) + 1, next(name for name in errors if name != style)
-    print(f"joint MSE in the model's normalised units: repeating the frame "
-          f"{floors['repeat']:.3f}, the mean pose {floors['mean']:.3f}\n{style} is number {rank} "
-          f"of {len(errors)} styles; "
-          "first: " + ", ".join(f"{name} {errors[name]:.4f}" for name in list(errors)[:5]))
+    other = next(name for name in errors if name != style)
+    kind = "published" if parameters else "embedded" if model is None else "trained"
+    row = {"take": f"{kind}{', calibrated' * calibrated}: {motion.name}",
+           "frames": row["frames"], "style": style, "error": row["joint_mse"], "right": right,
+           "left": left, "phase": row["phase_error"], "rank": list(errors).index(style) + 1,
+           "of": len(errors), "other": other, "next": errors[other], **floors}
+    made = Result(STORED,
+                  "Predictions one step ahead from real input, in the model's normalised units, "
+                  "and the rank of the take's style among all by the joint error",
+                  "python -m experiments one-step --published "
+                  "DATA/lpn_film_100style --clip DATA/100style/Neutral_FW.bvh --style Neutral "
+                  "--start 327 [--calibrated] --store", COLUMNS, [AIM, row])
+    made.show(store=False)
+    print("first: " + ", ".join(f"{name} {errors[name]:.4f}" for name in list(errors)[:5]))
     if store:
-        kind = "published" if parameters else "embedded" if model is None else "trained"
-        row = {"take": f"{kind}{', calibrated' * calibrated}: {motion.name}",
-               "frames": row["frames"], "style": style, "error": row["joint_mse"],
-               "right": right, "left": left, "phase": row["phase_error"], "rank": rank,
-               "of": len(errors), "other": other, "next": errors[other], **floors}
-        Result(STORED,
-               "Predictions one step ahead from real input, in the model's normalised units, and "
-               "the rank of the "
-               "take's style among all by the joint error",
-               "python -m experiments one-step --published "
-               "DATA/lpn_film_100style --clip DATA/100style/Neutral_FW.bvh --style Neutral "
-               "--start 327 [--calibrated] "
-               "--store", COLUMNS, [AIM, row]).add()
+        made.add()
 
 
 def ranked(net: Predictor, bank: StyleBank, clip: Clip,
