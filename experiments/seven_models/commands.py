@@ -178,15 +178,13 @@ def failures_(
 def hundred_(
     parameters: Annotated[Path, typer.Option("--published", help=PUBLISHED)],
     out: Annotated[Path, typer.Option(help="Folder for the clips, in the layout of 100STYLE.")],
-    styles: Names = None,
     seconds: Annotated[float, typer.Option(help="Length of each of a style's eight clips.")] = 12.0,
-    seed: Annotated[int, typer.Option(help="Seed of the paths.")] = 0,
 ) -> None:
     """Make clips of a hundred styles with the published parameters, in the layout of 100STYLE.
 
     Such data favour networks of the same kind.
     """
-    fallen = hundred.write(parameters, out, styles and styles.split(","), seconds, seed)
+    fallen = hundred.write(parameters, out, seconds)
     print(f"without clips in which the character fell: {', '.join(fallen) or 'none'}")
     print(f"wrote {len(list(out.glob('*.bvh')))} clips; compare with --data 100style --root {out}")
 

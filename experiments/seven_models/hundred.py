@@ -8,8 +8,8 @@ models handle a hundred styles, but not which model is best for recorded motion.
 
 import dataclasses
 import math
-import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
+from pathlib import Path
 
 import torch
 from torch import Tensor
@@ -38,62 +38,36 @@ SEGMENT = (1.2, 3.0)  # seconds of constant speed and turning rate
 TURNING = 1.2  # radians per second, highest turning rate
 
 
-def write(folder: str | os.PathLike, out: str | os.PathLike, styles: Sequence[str] | None = None,
-          seconds: float = 12.0,
-          seed: int = 0) -> list[str]:
-    """Write rollouts of the published parameters in the layout of 100STYLE, for ``--data 100style
-    --root OUT``.
+def write(folder: Path, out: Path, seconds: float) -> list[str]:
+    """Write rollouts of the published parameters in a folder, in the layout of 100STYLE.
 
-    Parameters
-    ----------
-    folder
-        The published parameters (`toolkit.training.published.load`).
-    out
-        Output folder, without a dataset.
-    styles
-        Names; by default all hundred.
-    seconds
-        Length of each clip; a style has one clip per key of `GAITS`.
-    seed
-        Seed of the paths, which are different for every style.
-
-    Returns
-    -------
-    list of str
-        Clips that were not written because the character fell.
+    A style has one clip of so many seconds for each of `GAITS`. Returns the style and gait of clips
+    that were not written because the character fell.
     """
     fallen: list[str] = []
-    names = list(styles or published.STYLES)
+    model, bank = published.load(folder)
     about = "rollout of the published parameters of LPN-FiLM"
     infos = [StyleInfo(name, about, symmetric=False, stochastic=False,
-                       notes="computed, not recorded") for name in names]
+                       notes="computed, not recorded") for name in bank.names]
 
     def standing() -> Iterator[Clip]:
-        for clip in roll_out(folder, names, seconds, seed):
-            if metrics.upright(clip):
-                yield clip
-            else:
-                fallen.append(f"{clip.style} {clip.gait}")
+        """The clips; all styles of a gait walk in one crowd, each along its own path."""
+        warm = round(WARM_UP * FPS)
+        for number, gait in enumerate(GAITS):
+            orders = commands(gait, len(bank), warm + round(seconds * FPS),
+                              splits.generator(0, number))
+            states = [dataclasses.replace(s, style=s.style[:, :0], history=s.history[:, -1:])
+                      for s in runtime.states(model, orders, bank.vectors, progress=True)][warm:]
+            for i, style in enumerate(tqdm(bank.names, desc=gait, unit="clip", disable=None)):
+                clip = runtime.record(model, states, character=i).replace(
+                    style=style, gait=gait, name=f"{style} {gait}")
+                if metrics.upright(clip):
+                    yield clip
+                else:
+                    fallen.append(f"{style} {gait}")
 
     style100.save(standing(), out, infos)
     return fallen
-
-
-def roll_out(folder: str | os.PathLike, styles: Sequence[str], seconds: float = 12.0,
-             seed: int = 0) -> Iterator[Clip]:
-    """Clips of styles, gait by gait; all styles of a gait walk in one crowd, each along its own
-    path.
-    """
-    model, bank = published.load(folder)
-    vectors, warm = torch.stack([bank[style] for style in styles]), round(WARM_UP * FPS)
-    for number, gait in enumerate(GAITS):
-        orders = commands(gait, len(styles), warm + round(seconds * FPS),
-                          splits.generator(seed, number))
-        states = [dataclasses.replace(s, style=s.style[:, :0], history=s.history[:, -1:])
-                  for s in runtime.states(model, orders, vectors, progress=True)][warm:]
-        for i, style in enumerate(tqdm(styles, desc=gait, unit="clip", disable=None)):
-            yield runtime.record(model, states, character=i).replace(style=style, gait=gait,
-                                                                     name=f"{style} {gait}")
 
 
 def commands(gait: str, count: int, frames: int, draw: torch.Generator) -> list[Command]:
