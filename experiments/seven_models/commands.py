@@ -10,6 +10,7 @@ import pandas as pd
 import typer
 
 from experiments.seven_models import failures, hundred, load, models, recorded, results, vectors
+from experiments.tables import Result
 from toolkit import datasets, networks, training
 from toolkit.evaluation.recognition import Recogniser
 from toolkit.extra import store
@@ -137,11 +138,11 @@ def recorded_(model: Annotated[str, typer.Option(help="Which model's runs.")] = 
         f"{len(clips)} held-out takes of {len(settings['frames'])} styles, followed for "
         f"{recorded.SECONDS:g} s each time"
     )
-    results.recorded(result or "recorded", about,
-                     _command(settings) + f", then recorded --model {model}", rows,
-                     {"takes": len(clips), "styles": len(settings["frames"]), "seeds": len(runs),
-                      "seconds": recorded.SECONDS, "walks": len(recorded.moments(clips))},
-                     ).show(result is not None)
+    Result(result or "recorded", about, _command(settings) + f", then recorded --model {model}",
+           results.RECORDED, rows,
+           {"takes": len(clips), "styles": len(settings["frames"]), "seeds": len(runs),
+            "seconds": recorded.SECONDS, "walks": len(recorded.moments(clips))},
+           ).show(result is not None)
 
 
 @app.command("vectors")
@@ -154,11 +155,11 @@ def vectors_(model: Annotated[str, typer.Option(help="Which model's runs.")] = "
     settings, data, _ = _opened(out)
     runs = _runs(out, model)
     rows = vectors.compared(runs, data, models.judge(data, out), progress=True)
-    results.vectors(result or "vectors", f"{model}, {len(settings['frames'])} styles",
-                    _command(settings) + f", then vectors --model {model}", rows,
-                    {"styles": len(settings["frames"]), "seeds": len(runs),
-                     "steps": settings["steps"], "held-out frames of a style": vectors.FRAMES,
-                     "steps for each style": STEPS}).show(result is not None)
+    Result(result or "vectors", f"{model}, {len(settings['frames'])} styles",
+           _command(settings) + f", then vectors --model {model}", results.VECTORS, rows,
+           {"styles": len(settings["frames"]), "seeds": len(runs), "steps": settings["steps"],
+            "held-out frames of a style": vectors.FRAMES,
+            "steps for each style": STEPS}).show(result is not None)
 
 
 @app.command("failures")

@@ -1,7 +1,5 @@
 """The stored results (`experiments.tables`) of the comparisons in this folder."""
 
-from collections.abc import Sequence
-
 from experiments.seven_models.models import SIZES
 from experiments.tables import Result
 
@@ -16,6 +14,13 @@ COLUMNS = {
     "path": ["path, cm", 1, 100], "parameters": ["parameters", 0], "per_style": ["per style", 0],
     "minutes": ["processor minutes", 1], "step_ms": ["ms per step", 0],
 }
+#: Of the field's measures on held-out recordings.
+RECORDED = {"measure": ["measure"], "model": ["model", 3], "other": ["another style's vector", 3],
+            "still": ["standing still", 3], "real": ["recordings", 3], "unit": ["unit"]}
+#: Of ways to make style vectors.
+VECTORS = {"vector": ["style vectors"], "mse": ["MSE", 4],
+           "better": ["styles better than the mean, %", 0, 100],
+           "recognised": ["recognised, %", 0, 100]}
 KEYS = ("shared", "joints", "other", "mse", "bone", "recognised", "upright", "hands", "together",
         "clavicle", "hand",
         "skate", "skate_ik", "steps", "speed", "path")
@@ -61,19 +66,3 @@ def comparison(name: str, about: str, command: str, table: dict) -> Result:
                       "batch": settings["batch"], "style rates": settings["style_rates"],
                       "styles": len(settings["frames"]), "frames": sum(settings["frames"].values())}
     return Result(name, about, command, COLUMNS, rows, about_settings, numbers)
-
-
-def recorded(name: str, about: str, command: str, rows: Sequence[dict], settings: dict) -> Result:
-    """The field's measures on held-out recordings."""
-    columns = {"measure": ["measure"], "model": ["model", 3],
-               "other": ["another style's vector", 3],
-               "still": ["standing still", 3], "real": ["recordings", 3], "unit": ["unit"]}
-    return Result(name, about, command, columns, list(rows), settings)
-
-
-def vectors(name: str, about: str, command: str, rows: Sequence[dict], settings: dict) -> Result:
-    """Ways to make style vectors."""
-    columns = {"vector": ["style vectors"], "mse": ["MSE", 4],
-               "better": ["styles better than the mean, %", 0, 100],
-               "recognised": ["recognised, %", 0, 100]}
-    return Result(name, about, command, columns, list(rows), settings)
