@@ -58,10 +58,6 @@ EQUIVALENT = {
     ("given = values.get(name, TRACKS.get(name, (0.0,) * 3))", "3 -> 4"): "three are read",
     ('metres = 1.0 if unit == "auto" else float(UNITS.get(unit, unit))', "1.0 -> 2.0"):
         "it is guessed later",
-    ("own=np.array([joints.index(j) if j in joints else -1 for j in range(len(skeleton))]),",
-     "1 -> 2"): "it is read only for joints that have one",
-    ("speed: float = 1.2, seconds: float = 10.0, facing: Sequence[float] = (0.0, 1.0)",
-     "1.0 -> 2.0"): "only the direction counts",
 }
 NOT_COPIED = shutil.ignore_patterns(".git", ".venv", "out", "build", "__pycache__", ".*_cache")
 OPPOSITE = {
