@@ -95,25 +95,22 @@ def load(data: str, root: str | None, styles: str | None, gaits: str | None,
     return dataclasses.replace(found, split=dataclasses.replace(held_out, share=None, seed=None))
 
 
-def settle(folder: Path, plan: Plan, data: Features, source: dict) -> dict:
-    """Store the settings of a folder, or compare them with the stored ones, and return them;
-    ``source`` describes the data.
+def settle(folder: Path, own: dict, data: dict | None = None) -> None:
+    """Store the settings of a folder, with a description of the ``data``, or compare them with the
+    stored ones.
 
     Raises
     ------
     ValueError
-        If the folder holds a comparison of other data, size or budget.
+        If the folder holds a comparison with other settings.
     """
-    own = {"size": plan.size, "steps": plan.steps,
-           "frames": {s: len(x) for s, x in data.inputs.items()}}
     path = folder / SETTINGS
     if not path.exists():
-        write_json(path, own | {"source": source})
+        write_json(path, own | (data or {}))
     held = read_json(path)
-    if why := model_files.difference({key: held[key] for key in own}, own):
+    if why := model_files.difference({key: held.get(key) for key in own}, own):
         raise ValueError(f"{folder}: holds a comparison with other settings ({why}); choose "
                          f"another --out")
-    return held
 
 
 def trained(data: Features, config: Config, folder: Path, progress: bool = False) -> Run:
@@ -308,7 +305,9 @@ def compare(data: Features, source: dict, plan: Plan, models: Sequence[str], see
         The content of `TABLE`, see `collect`.
     """
     recogniser = judge(data, folder, plan.recogniser_steps)
-    settle(folder, plan, data, source)
+    own = {"size": plan.size, "steps": plan.steps,
+           "frames": {style: len(x) for style, x in data.inputs.items()}}
+    settle(folder, own, {"source": source})
     jobs = [(name, seed) for seed in range(seeds) for name in models]
     for name, seed in tqdm(jobs, desc="compare", unit="run", disable=None if progress else True):
         run = trained(data, plan.config(name, seed), folder, progress)

@@ -4,7 +4,6 @@ All methods have the same processor time, the same clips and generators of nearl
 run is resumed from its checkpoint, so that the command goes on where it was stopped.
 """
 
-import json
 import time
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass
@@ -14,13 +13,12 @@ from typing import Annotated
 import torch
 import typer
 
-from experiments.seven_models.models import machine, write_json
+from experiments.seven_models.models import machine, read_json, settle, write_json
 from experiments.stylization import aberman, convolutional, evaluation, sets
 from experiments.stylization.floors import FLOORS, shift_and_scale
 from experiments.stylization.judges import Judges
 from experiments.stylization.sets import Task
 from experiments.tables import Result, Store
-from toolkit.io import model_files
 from toolkit.stylization import networks, training
 from toolkit.stylization.data import Motions
 from toolkit.stylization.losses import LOSSES
@@ -78,7 +76,7 @@ def run(
     if unknown := [name for name in names if name not in METHODS]:
         raise ValueError(f"unknown: {', '.join(unknown)}; known: {', '.join(METHODS)}")
     plan = Plan(seconds)
-    settle(out, plan)
+    settle(out, asdict(plan))
     task = sets.walks_and_runs()
     for seed in SEEDS:
         for method in names:
@@ -104,7 +102,7 @@ def measure(method: str, task: Task, plan: Plan, seed: int, folder: Path,
             made = [evaluation.blend(motion, shift) for motion in made]
             found[by + BLEND] = evaluation.measures(chosen, target, made, judges)
         write_json(path, {"seed": seed, **numbers, "measures": found})
-    return json.loads(path.read_text(encoding="utf-8"))
+    return read_json(path)
 
 
 def trained(method: str, motions: Motions, config: Config, path: Path,
@@ -129,7 +127,7 @@ def summary(task: Task, plan: Plan, folder: Path) -> Result:
     lines, numbers = list(_floors(task, plan)), {}
     for method in METHODS:
         paths = sorted((folder / "measures").glob(f"{slug(method)}-[0-9]*.json"))
-        found = [json.loads(path.read_text(encoding="utf-8")) for path in paths]
+        found = [read_json(path) for path in paths]
         if not found:
             continue
         numbers[method] = {key: [run[key] for run in found] for key in found[0]
@@ -187,16 +185,6 @@ def judges_of(task: Task) -> Judges:
 def sources_of(task: Task, plan: Plan) -> Motions:
     """The windows that are restyled."""
     return sets.some(task.sources[SCORED], plan.sources)
-
-
-def settle(folder: Path, plan: Plan) -> None:
-    """Write the settings of a folder; ValueError if it has others."""
-    path, own = folder / "settings.json", asdict(plan)
-    if not path.exists():
-        write_json(path, own)
-    elif why := model_files.difference(json.loads(path.read_text(encoding="utf-8")), own):
-        raise ValueError(f"{folder}: holds a comparison with other settings ({why}); "
-                         "choose another --out")
 
 
 def _size(network: torch.nn.Module) -> int:

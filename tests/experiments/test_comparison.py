@@ -58,7 +58,7 @@ def test_what_is_there_is_not_done_again(data, folder, monkeypatch):
 
 def test_other_settings_and_bad_names_are_refused_in_one_line(data, folder, capsys):
     with refusal(r"other settings .*steps: expected 4, got 5"):
-        models.settle(folder, models.Plan("tiny", 5), data, SOURCE)
+        models.compare(data, SOURCE, models.Plan("tiny", 5), MODELS, 1, folder)
     with refusal(r"was trained with other settings \(steps: expected 5, got 4\)"):
         models.trained(data, models.Plan("tiny", 5).config("lpn-film", 0), folder)
     for arguments, said in (
