@@ -10,11 +10,10 @@ from typing import Annotated
 import torch
 import typer
 
-from experiments.stylization import evaluation, floors
+from experiments.stylization import evaluation, floors, sets
 from experiments.stylization.judges import Judges, NetworkJudge
 from experiments.tables import Result, Store
 from toolkit.datasets import procedural
-from toolkit.features.splits import generator
 from toolkit.stylization import Motions, Stylizer, build, pretrained
 
 GAITS = ("FW", "BW", "FR", "SW", "ID")  # of its training
@@ -77,8 +76,7 @@ def rows(stylizer: Stylizer, judges: tuple[Judges, Judges],
         return first.judge(x, content, domain) | {
             f"{name}2": float(right.float().mean()) for name, right in said}
 
-    order = torch.randperm(len(motions), generator=generator(0))
-    some = motions.select(order[:WINDOWS].sort().values)
+    some = sets.some(motions, WINDOWS)
     real = judged(some.x, some.content, some.domain)
     yield "real motion", real | {"diversity": evaluation.own_diversity(motions)}
     chosen, target = evaluation.pairs(some)
