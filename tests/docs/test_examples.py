@@ -95,7 +95,7 @@ def test_the_link_to_blender_sends_the_joints_and_poses(monkeypatch, fast):
     joints = json.loads(packets[0])
     skeleton = fast[0].layout.skeleton
     assert tuple(name for name, _, _ in joints) == skeleton.names
-    numbers = np.frombuffer(packets[-1], np.float32)
+    numbers = np.frombuffer(packets[-1], np.float32).copy()
     assert numbers.shape == (3 + 4 * len(skeleton),)
     assert 0.7 < numbers[1] < 1.1
     assert np.allclose(np.linalg.norm(numbers[3:].reshape(-1, 4), axis=1), 1, atol=1e-5)
