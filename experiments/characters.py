@@ -22,9 +22,9 @@ RIGS = {"child": rig("T-pose", arms=0.55, legs=0.5, hips=0.6),
 TAKES = ("walk_feminine_001", "walk-turn-left_normal_005", "walk-turn-right_masculine_009",
          "walk-turn-left_active_001", "run_active_001", "run_feminine_001")
 COLUMNS: dict[str, list] = {
-    "rig": ["rig"], "joints": ["joints", 0], "slide": ["slide of the take, cm/s", 1],
-    "slides": ["on the rig", 1], "plain": ["defects a minute, arms as they were", 1],
-    "defects": ["arms out of the body", 1]}
+    "rig": ["rig"], "joints": ["joints", 0], "slide": ["slide, cm/s", 1],
+    "slides": ["on the rig", 1], "plain": ["defects a minute", 1],
+    "defects": ["with arms out", 1]}
 
 
 def run(file: list[Path] = [], store: Store = False) -> None:  # noqa: B006
