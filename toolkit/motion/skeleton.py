@@ -172,10 +172,6 @@ class Skeleton:
         largest = forward.abs().argmax()
         return torch.eye(3)[largest] * forward[largest].sign()
 
-    def ancestors(self, joint: int | str) -> list[int]:
-        """Indices from the parent of a joint (its index, name or role) up to the root."""
-        return self.tree.up(self.index(joint) if isinstance(joint, str) else joint)[1:]
-
     @cached_property
     def tree(self) -> Tree:
         """Children, ancestors and subtrees by index; without lengths."""
@@ -184,7 +180,7 @@ class Skeleton:
     @cached_property
     def trunk(self) -> list[int]:
         """Joints above both shoulders, from the chest to the hips, or to the root without these."""
-        left, right = (self.ancestors(self.role(f"{side}_shoulder")) for side in SIDES)
+        left, right = (self.tree.up(self.role(f"{side}_shoulder"))[1:] for side in SIDES)
         trunk, hips = [j for j in left if j in right], self.role("hips")
         return trunk[: trunk.index(hips) + 1] if hips in trunk else trunk
 

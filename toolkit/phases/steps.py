@@ -92,7 +92,7 @@ def leg_length(skeleton: Skeleton, foot: str) -> float:
     """Length of the bones from hip to toe, metres; ValueError if the toe is not below the hip."""
     side = foot.removesuffix("_foot")
     start, end = (skeleton.role(f"{side}_{part}") for part in ("hip", "toe"))
-    chain = [end, *skeleton.ancestors(end)]
+    chain = skeleton.tree.up(end)
     bones = chain[: chain.index(start)] if start in chain else []
     length = float(skeleton.offsets[bones].norm(dim=-1).sum())
     if length < NONE:

@@ -265,7 +265,7 @@ def pruned(clip: Clip) -> Clip:
     for side in SIDES:
         for upper, lower in BONES:
             start = old.role(f"{side}_{upper}")
-            path = old.ancestors(old.role(f"{side}_{lower}"))
+            path = old.tree.up(old.role(f"{side}_{lower}"))[1:]
             split |= set(path[: path.index(start)] if start in path else ())
 
     # The parent of each joint that is kept, and their children

@@ -86,7 +86,7 @@ def pinned(skeleton: Skeleton, rotations: Tensor, root: Tensor,
     shares = {j: (k + 1) / len(spine) for k, j in enumerate(spine)}
     legs = set(skeleton.both("hip"))
     for j in range(1, len(skeleton)):
-        above = [j, *skeleton.ancestors(j)]
+        above = skeleton.tree.up(j)
         if not legs.isdisjoint(above):
             turned[:, j] = steps[:, j]
         else:
@@ -123,7 +123,7 @@ def pinned(skeleton: Skeleton, rotations: Tensor, root: Tensor,
         keep = goals[limb][1] > 0
         aims = R.between(b - a, upper), R.between(c - b, lower)
         for j in skeleton.tree.below(joints[0]):
-            aim = aims[int(joints[1] in (j, *skeleton.ancestors(j)))]
+            aim = aims[int(joints[1] in skeleton.tree.up(j))]
             turned[:, j] = torch.where(keep, R.multiply(aim, turned[:, j]), turned[:, j])
 
     # feet stay where they stepped, or go to their pins
