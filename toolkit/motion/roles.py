@@ -2,7 +2,7 @@
 
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
-from functools import cached_property, lru_cache
+from functools import cached_property
 from itertools import combinations
 
 from toolkit.motion.role_words import JointName, read_all
@@ -35,12 +35,6 @@ def find(names: Sequence[str], parents: Sequence[int], lengths: Sequence[float] 
     lengths : J lengths of the bones to the parents, in any unit; by default all are equal
     ends : names of the End Sites
     """
-    return dict(_find(tuple(names), tuple(parents), tuple(lengths or ()), tuple(ends)))
-
-
-@lru_cache(64)
-def _find(names: tuple[str, ...], parents: tuple[int, ...], lengths: tuple[float, ...],
-          ends: tuple[str, ...]) -> Found:
     words, ending = read_all(names), set(ends)
     tree = Tree(parents, lengths or [1.0] * len(names),
                 frozenset(j for j, name in enumerate(names) if name in ending))
