@@ -11,7 +11,7 @@ from refusal import refusal
 
 import toolkit as tk
 from toolkit import runtime
-from toolkit.datasets import published_files as parameters, style100
+from toolkit.datasets import fetch, published_files as parameters, style100
 
 
 @pytest.fixture(scope="module")
@@ -131,7 +131,7 @@ def test_missing_and_damaged_files_are_named(tmp_path):
     for name, shape in parameters.SHAPES.items():
         with (tmp_path / f"{name}.bin").open("wb") as file:
             file.truncate(4 * math.prod(shape))
-    assert parameters.check(tmp_path) == "parameters of 100 styles"
+    assert fetch.find("lpn-film-100style").check(tmp_path) == "parameters of 100 styles"
     torch.full((348,), math.nan).numpy().tofile(tmp_path / "Xmean.bin")
     with refusal(r"Xmean\.bin: expected 348 float32 numbers that"):
         tk.published.load(tmp_path)

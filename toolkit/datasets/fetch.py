@@ -64,6 +64,11 @@ def _check_bandai(folder: Path) -> str:
     return f"{len(takes)} takes of {len({take.style for take in takes})} styles"
 
 
+def _check_parameters(folder: Path) -> str:
+    parameters.read(folder)
+    return f"parameters of {parameters.N_STYLES} styles"
+
+
 ORIGINS = {
     "100style": Origin(
         title="100STYLE: a hundred styles of locomotion, 4 million frames "
@@ -84,7 +89,7 @@ ORIGINS = {
         keep=re.compile(r"(?:.*/Parameters/(?:LPN|Multiclip_All_Velocity_100_FC)/)?"
                         r"(?P<path>[^/]+\.bin)"),
         unpacked=21_000_000,
-        check=parameters.check,
+        check=_check_parameters,
     ),
     "bandai": Origin(
         title="Bandai-Namco Research motion datasets 1 and 2: 22 styles of everyday motion "

@@ -106,12 +106,7 @@ def write(folder: str | os.PathLike, styles: Names = None, gaits: Names = None,
     """Write the clips of `load` in the layout of 100STYLE, with the truth of each clip.
 
     The styles in the files are called ``Procedural<Style>``. ``<Style>_<GAIT>.npz`` holds the
-    arrays of `Truth` of ``<Style>_<GAIT>.bvh``.
-
-    Raises
-    ------
-    ValueError
-        If a style or gait is unknown or comes twice, or the folder already holds a dataset.
+    arrays of `Truth` of ``<Style>_<GAIT>.bvh``. Raises what `load` and `style100.save` raise.
     """
     folder = Path(folder)
 

@@ -54,9 +54,3 @@ def read(folder: Path) -> dict[str, np.ndarray]:
             raise ValueError(f"{path}: expected {expected} that are finite")
         found[name] = values.reshape(shape)
     return found
-
-
-def check(folder: Path) -> str:
-    """What a folder holds; errors as of `read`."""
-    read(folder)
-    return f"parameters of {N_STYLES} styles"

@@ -57,14 +57,8 @@ class StyleInfo:
 def load(root: Root = None, styles: Names = None, gaits: Names = None) -> list[Clip]:
     """Clips of the dataset, see `toolkit.datasets.takes.Source.load`; gaits are keys of `GAITS`.
 
-    A clip has only the frames from START to STOP (excluded) of ``Frame_Cuts.csv``. STOP may lie
-    past the end.
-
-    Raises
-    ------
-    ValueError
-        If the folder, a table, a style or a gait does not exist, or a take has no cut; BVHError if
-        a file is malformed.
+    A clip has only the frames from START to STOP (excluded) of ``Frame_Cuts.csv``; a take without
+    them is a ValueError. STOP may lie past the end.
     """
     cuts = frame_cuts(root)
     takes = SOURCE.choose(root, styles, gaits, known_styles={style for style, _ in cuts})
