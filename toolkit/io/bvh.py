@@ -34,12 +34,8 @@ def load(path: str | os.PathLike, *, unit: float | str = "auto", up: str = "auto
     ValueError
         If unit, up or roles do not fit.
     """
-    recording, interpretation = read(path), registry.find("recording.interpretation")
-    try:
-        return interpretation.load(recording, Path(path), unit, up, roles, style, gait)
-    except ValueError as error:
-        said = str(error).removeprefix(f"{Path(path).name}: ")
-        raise BVHError(f"{path}: {said}") from error
+    interpretation = registry.find("recording.interpretation")
+    return interpretation.load(read(path), Path(path), unit, up, roles, style, gait)
 
 
 def read(path: str | os.PathLike) -> Recording:
