@@ -1,5 +1,6 @@
 """Leaks between the parts of a split: test frames that a training has seen, exactly or nearly."""
 
+import json
 import math
 import re
 from collections import defaultdict
@@ -55,7 +56,8 @@ def find(split: Split | Mapping[str, Any]) -> list[str]:
     ValueError
         If it or a block is not in this form.
     """
-    split = split.to_json() if isinstance(split, Split) else split
+    if isinstance(split, Split):
+        split = json.loads(json.dumps(vars(split)))
     if not isinstance(split, Mapping) or sum(part in split for part in PARTS) < 2:
         raise ValueError("expected an object with lists of blocks, at least two of "
                          f"{', '.join(PARTS)}")

@@ -54,13 +54,9 @@ class Split:
     gap: int = GAP  # frames between blocks of different parts of a take
     whole_takes: bool = False  # no take belongs to two parts
 
-    def to_json(self) -> dict:
-        """The split as JSON values: what `save` writes."""
-        return json.loads(json.dumps(vars(self)))
-
     def save(self, path: str | os.PathLike) -> None:
         """Write a JSON file."""
-        write_whole(Path(path), (json.dumps(self.to_json()) + "\n").encode())
+        write_whole(Path(path), (json.dumps(vars(self)) + "\n").encode())
 
 
 def split(name: str, root: Root = None) -> Split:
