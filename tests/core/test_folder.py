@@ -10,7 +10,7 @@ from posed_rigs import rig, with_twists
 from refusal import refusal
 
 import toolkit as tk
-from toolkit.cli.motion_files import dataset, show
+from toolkit.cli.motion_files import dataset
 from toolkit.datasets import folder
 from toolkit.datasets.procedural import SKELETON
 from toolkit.extra.characters import retargeting
@@ -145,9 +145,10 @@ def test_a_folder_of_nothing_is_refused(tmp_path):
         folder.survey(tmp_path)
 
 
-def test_a_folder_is_surveyed_and_read_by_the_verbs(copied, capsys):
+def test_a_folder_is_surveyed_and_read_by_the_verbs(copied, caplog):
     assert dataset(str(copied), None) == ("folder", copied)
-    show(copied)
-    assert "4 files, 1,200 frames, 0.3 minutes; 28 body joints of 28" in capsys.readouterr().out
+    with caplog.at_level("INFO", "toolkit.datasets"):
+        tk.datasets.load("folder", copied)
+    assert "4 files, 1,200 frames, 0.3 minutes; 28 body joints of 28" in caplog.messages
     with refusal("is the folder to read; --root is for datasets with a na"):
         dataset(str(copied), copied)

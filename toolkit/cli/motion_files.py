@@ -43,10 +43,3 @@ def dataset(data: str, root: Path | None) -> tuple[str, Path | None]:
     if root is not None:
         raise ValueError(f"{data}: is the folder to read; --root is for datasets with a name")
     return "folder", Path(data)
-
-
-def show(root: Path | None, rig: Clip | None = None) -> None:
-    """Print what is used of a folder of one's own."""
-    folder = own.SOURCE.folder(root)
-    for line in own.survey(folder, rig).lines(folder):
-        say(line)

@@ -7,7 +7,7 @@ from typing import Annotated
 from typer import Option
 
 from toolkit import datasets, features, networks, registry, training
-from toolkit.cli.motion_files import Target, dataset, show, target
+from toolkit.cli.motion_files import Target, dataset, target
 from toolkit.cli.verbs import (
     ClipSeconds,
     Device,
@@ -85,8 +85,6 @@ def train(
             if data != "folder":
                 raise ValueError("--skeleton is for a folder of your own recordings")
             options["target"] = target(skeleton)
-        if data == "folder" and first:
-            show(root, options.get("target"))
         clips = datasets.load(data, root, styles, gaits, **options)
         mirrored = datasets.may_mirror(data, root) if mirror else False
         if listed:

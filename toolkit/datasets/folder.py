@@ -11,13 +11,13 @@ Clips have the body joints alone (`toolkit.extra.characters.retargeting.pruned`)
 ones. `survey` reads all files and says which of them can be used together.
 """
 
+import logging
 import os
 import re
 import warnings
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -183,17 +183,10 @@ def survey(root: str | os.PathLike, target: Clip | None = None) -> Survey:
     they differ, those of the larger number of frames are used. With ``target``, a clip of a rig,
     all are retargeted to it.
     """
-    folder = SOURCE.folder(root)
-    stats = [(path, path.stat()) for path in files.below(folder) if path.is_file()]
-    state = tuple((path, about.st_size, about.st_mtime_ns) for path, about in stats)
-    return _survey(folder, state, target)
-
-
-@lru_cache(maxsize=1)  # a training asks twice
-def _survey(folder: Path, _state: tuple, target: Clip | None) -> Survey:
     # files that can be read, by their body: names and parents of its joints, and its size
     rows: dict[tuple, list[Row]] = defaultdict(list)
     left_out: dict[Path, str] = {}
+    folder = SOURCE.folder(root)
     takes = labelled(folder)
     for take in progress_bar(takes, desc="reading", unit="file", show=len(takes) > 20):
         try:
@@ -239,9 +232,14 @@ class Own(Source):
     target: Clip | None = None  # of a rig that all are retargeted to
 
     def find(self, root: Root) -> list[Take]:
-        """All takes of a folder that can be used, by `survey`; a warning names the other files."""
-        found = survey(root, self.target)
-        found.warn(self.folder(root))
+        """All takes of a folder that can be used, by `survey`; a warning names the other files.
+
+        What is used is logged.
+        """
+        found, folder = survey(root, self.target), self.folder(root)
+        for line in found.lines(folder):
+            logging.getLogger("toolkit.datasets").info("%s", line)
+        found.warn(folder)
         return found.takes
 
     def folder(self, root: Root) -> Path:

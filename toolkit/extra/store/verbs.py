@@ -6,7 +6,7 @@ from typing import Annotated
 from typer import Option
 
 from toolkit import datasets
-from toolkit.cli.motion_files import dataset, show
+from toolkit.cli.motion_files import dataset
 from toolkit.cli.verbs import Listed, Mirror, Root, Selection, say
 from toolkit.extra import store
 
@@ -27,8 +27,6 @@ def preprocess(
 ) -> None:
     """Compute features of all files into a store, which `train --data OUT` reads from the disk."""
     data, root = dataset(data, root)
-    if data == "folder":
-        show(root)
     mirrored = datasets.may_mirror(data, root) if mirror else None
     made = store.preprocess(data, root, out, styles=styles, gaits=gaits, source=source,
                             mirror=mirrored, workers=workers, listed=listed, progress=True)
