@@ -192,7 +192,7 @@ def test_bad_commands_are_refused(small_run):
         (shape, runtime.Command, (1.0, 2.0, 3.0)),
         (r"^facing must be finite, up to 1e\+06; got .*nan.*$", runtime.Command, (0.0, 1.0),
          torch.tensor([[0.0, 1.0], [math.nan, 1.0]])),
-        ("a command for 3 characters needs one pair", runtime.step, model, three, two),
+        (r"facing must be one pair \(x, z\), or \[3, 2\] of", runtime.step, model, three, two),
     ):
         with refusal(said):
             call(*given)

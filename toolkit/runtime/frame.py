@@ -16,9 +16,9 @@ from toolkit.features import Layout, pack_joints, seen_from, split_joints
 from toolkit.motion import local_rotations, rotations as R, trajectory
 from toolkit.motion.ik import foot_lock, hold_feet, plant_feet, solve_legs, swivelled, turn_arms
 from toolkit.motion.skeleton import FEET
-from toolkit.motion.tensors import as_tensor, shown
+from toolkit.motion.tensors import shown
 from toolkit.networks.phase import advance, initial_pose
-from toolkit.runtime.state import CharacterState, Remembering, vectors_of
+from toolkit.runtime.state import CharacterState, Remembering, pairs_of, vectors_of
 from toolkit.runtime.steering import MOVES, Command, standing, steer, turn
 
 FPS = trajectory.FPS
@@ -67,8 +67,8 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
         raise ValueError(f"style needs {size} columns, got shape {list(style.shape)}")
 
     # The root, alike for all past and future frames.
-    place, look = _pairs(position, "position", style), R.normalize(_pairs(facing, "facing", style))
-    root = torch.cat((place, look), -1)
+    look = R.normalize(pairs_of(facing, "facing", style))
+    root = torch.cat((pairs_of(position, "position", style), look), -1)
     if not root.is_meta and not bool(root.isfinite().all() & look.any(-1).all()):
         raise ValueError("position and facing must be finite, and facing not zero; "
                          f"got {shown(position)}, {shown(facing)}")
@@ -106,15 +106,6 @@ def _input_frame(layout: Layout, state: CharacterState, future: Tensor) -> Tenso
     past = state.history[:, [trajectory.PAST + o for o in layout.behind]]
     window = _to_local(torch.cat((past, future), 1), state.root).flatten(1)
     return layout.pack_input(trajectory=window, joints=state.joints)
-
-
-def _pairs(values, what: str, style: Tensor) -> Tensor:
-    """World (x, z) ``[B, 2]``, from one pair for all B characters or from one pair for each."""
-    pairs = as_tensor(values, what, style)
-    if pairs.shape not in ((2,), (1, 2), (len(style), 2)):
-        raise ValueError(f"{what} must be one pair (x, z), or [{len(style)}, 2] of all characters; "
-                         f"got {list(pairs.shape)}")
-    return pairs.expand(len(style), 2)
 
 
 @functools.singledispatch

@@ -86,3 +86,12 @@ def vectors_of(style, like: Tensor, characters: int | None = None) -> Tensor:
         wanted = f"[{characters or 'B'}, S] of all characters"
         raise ValueError(f"a style is one vector [S], or {wanted}; got shape {list(vectors.shape)}")
     return vectors.expand(characters or len(vectors), -1)
+
+
+def pairs_of(values, what: str, like: Tensor) -> Tensor:
+    """World (x, z) ``[B, 2]``, from one pair for all B characters of ``like`` or one for each."""
+    pairs = as_tensor(values, what, like)
+    if pairs.shape not in ((2,), (1, 2), (len(like), 2)):
+        raise ValueError(f"{what} must be one pair (x, z), or [{len(like)}, 2] of all characters; "
+                         f"got {list(pairs.shape)}")
+    return pairs.expand(len(like), 2)

@@ -12,7 +12,7 @@ from torch import Tensor
 
 from toolkit.motion import rotations as R, trajectory
 from toolkit.motion.tensors import as_tensor, shown, summary
-from toolkit.runtime.state import CharacterState
+from toolkit.runtime.state import CharacterState, pairs_of
 
 FPS = trajectory.FPS
 GAIN = 0.25  # share of the difference between smoothed target and command that a frame removes
@@ -89,14 +89,8 @@ def steer(state: CharacterState, command: Command,
     is to walk, but stands or slowly goes elsewhere, follows the target alone: a network that has
     learnt to walk backwards may begin with that.
     """
-    like = {"dtype": state.velocity.dtype, "device": state.velocity.device}
-    wanted = torch.as_tensor(command.velocity, **like).reshape(-1, 2)
-    look = torch.as_tensor(command.facing, **like).reshape(-1, 2)
-    characters = len(state.velocity)
-    for pairs in (wanted, look):
-        if len(pairs) not in (1, characters):
-            raise ValueError(f"a command for {characters} characters needs one pair of numbers or "
-                             f"{characters}, got {len(pairs)}")
+    wanted = pairs_of(command.velocity, "velocity", state.velocity)
+    look = pairs_of(command.facing, "facing", state.velocity)
 
     # Smoothed command; a zero facing keeps the current one.
     look = torch.where(R.length(look) > 1e-6, look, state.facing)
@@ -125,14 +119,14 @@ def steer(state: CharacterState, command: Command,
     astray = _moves(speed) * slowly * (1.0 - along).clamp(0.0, 1.0)
 
     # Shares of the target in the blend: they grow with time, with standing, and if it goes astray.
-    t = torch.tensor(ahead[1:], **like) / ahead[-1]
+    t = state.velocity.new_tensor(ahead[1:]) / ahead[-1]
     w_position = torch.lerp(1 - (1 - t) ** POSITION_BIAS, torch.ones_like(t), rest.maximum(astray))
     w_direction = torch.lerp(1 - (1 - t) ** DIRECTION_BIAS, torch.ones_like(t), rest)
 
     # Positions: the steps between the samples are blended, not the samples, and added up from the
     # root.
     steps = state.future[:, 1:, :2] - state.future[:, :-1, :2]
-    seconds = torch.tensor(ahead, **like).diff()[:, None] / FPS
+    seconds = state.velocity.new_tensor(ahead).diff()[:, None] / FPS
     steps = torch.lerp(steps, pull[:, None] * seconds, w_position[..., None])
     positions = state.root[:, None, :2] + steps.cumsum(1)
 
