@@ -56,10 +56,7 @@ class Command:
             is_pair = type(value) is tuple and len(value) == 2
             if is_pair and all(type(v) is float and abs(v) <= LARGEST for v in value):
                 continue
-            pairs = as_tensor(value, what)
-            if isinstance(value, list | tuple) and any(isinstance(v, Tensor) for v in value):
-                object.__setattr__(self, what, pairs)  # two numbers of torch
-            pairs = pairs.detach()
+            pairs = as_tensor(value, what).detach()
             if pairs.dim() not in (1, 2) or pairs.shape[-1] != 2:
                 raise ValueError(f"{what} must be one pair (x, z), or [B, 2] of all characters; "
                                  f"got {shown(value)}")
