@@ -9,16 +9,13 @@ draws masks of its own, so the result is equal in distribution.
 import functools
 import os
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import Any, ClassVar
 
 import torch
 from torch import Tensor, distributed, nn
 
 from toolkit.networks import Predictor
 from toolkit.training.loss import loss_terms
-
-if TYPE_CHECKING:
-    from lightning_fabric import Fabric
 
 
 def first() -> bool:
@@ -45,8 +42,8 @@ class Alone:
 
 
 @functools.cache
-def start(device: str, processes: int) -> "Fabric | Alone":
-    """Set up a device and processes.
+def start(device: str, processes: int) -> Any:
+    """Set up a device and processes: `Alone`, or a Lightning Fabric of several.
 
     With several processes, the first call starts the others: they run the same command from its
     beginning. Under ``torchrun``, which starts them itself, this joins them. ValueError if there is

@@ -11,7 +11,6 @@ import time
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import torch
 from torch import Tensor
@@ -31,9 +30,6 @@ from toolkit.training.distributed import Alone, Objective
 from toolkit.training.loss import baselines, evaluate, make_bank, observed, refit
 from toolkit.training.minibatches import DROPOUT, INIT, Minibatches
 from toolkit.training.run import Config, Run
-
-if TYPE_CHECKING:
-    from lightning_fabric import Fabric
 
 
 @dataclass(eq=False)
@@ -221,7 +217,7 @@ def optimiser(model: Predictor, config: Config) -> torch.optim.Adam:
     return torch.optim.Adam(groups, lr=config.rate, fused=True)
 
 
-def step(fabric: "Fabric | Alone", objective: torch.nn.Module, adam: torch.optim.Adam,
+def step(fabric: Alone, objective: torch.nn.Module, adam: torch.optim.Adam,
          batches: Minibatches, config: Config, number: int, rate: float) -> dict[str, float]:
     """Gradient descent on minibatch ``number`` at learning rate ``rate``; its losses.
 
@@ -245,7 +241,7 @@ def step(fabric: "Fabric | Alone", objective: torch.nn.Module, adam: torch.optim
     return values
 
 
-def _mean(fabric: "Fabric | Alone", *numbers: float) -> list[float]:
+def _mean(fabric: Alone, *numbers: float) -> list[float]:
     """Means over the processes, so that all of them make the same decisions."""
     if fabric.world_size == 1:
         return list(numbers)
