@@ -339,8 +339,15 @@ def test_under_torchrun_its_processes_and_nodes_count_and_not_the_config(monkeyp
 
 
 def test_processes_draw_their_own_dropout():
-    assert loop.draws(7, 0) == (7,)  # as one process does
-    assert len({loop.draws(step, rank) for step in range(3) for rank in range(3)}) == 9
+    seeds = {}
+    for rank in range(3):
+        with (mock.patch.object(distributed.Alone, "global_rank", rank),
+              mock.patch.object(loop, "seeded", wraps=loop.seeded) as seeded):
+            training.fit(waves(), quick(steps=3))
+        drawn = [call.args[1:] for call in seeded.call_args_list]
+        seeds[rank] = [given for given in drawn if given[1] == loop.DROPOUT]
+    assert [given[2:] for given in seeds[0]] == [(0,), (1,), (2,)]  # as one process does
+    assert len({given for drawn in seeds.values() for given in drawn}) == 9
 
 
 def test_the_environment_alone_makes_no_second_process(tmp_path, monkeypatch):

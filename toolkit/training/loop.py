@@ -143,7 +143,8 @@ def fit(data: Features, config: Config | None = None,
             # cosine decay of the rate; dropout masks that depend only on seed, step and process
             share = (1 + math.cos(math.pi * done)) / 2
             rate = config.rate * (config.final_rate + (1 - config.final_rate) * share)
-            stream = draws(state.step, fabric.global_rank)
+            rank = fabric.global_rank  # rank 0 draws as a single process does
+            stream = (state.step, rank) if rank else (state.step,)
             with seeded(fabric.device, config.seed, DROPOUT, *stream):
                 state.losses = step(fabric, objective, adam, batches, config, state.step, rate)
             state.step += 1
@@ -174,11 +175,6 @@ def fit(data: Features, config: Config | None = None,
         for style, error in evaluate(model, shifted, test).items():
             held_out[style]["other"] = error["mse"]
     return Run(model.cpu(), bank, config, state.history, held_out, baselines(model.cpu(), test))
-
-
-def draws(step: int, rank: int) -> tuple[int, ...]:
-    """What the seed of a step's dropout depends on; rank 0 draws as a single process does."""
-    return (step, rank) if rank else (step,)
 
 
 def restore(path: str | os.PathLike, model: Predictor, adam: torch.optim.Adam,
