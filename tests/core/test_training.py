@@ -283,7 +283,7 @@ def test_stopped_or_killed_and_resumed_equals_not_stopped(tmp_path, straight):
 
 def test_ctrl_c_after_the_last_step_leaves_a_checkpoint(tmp_path):
     call = waves(), quick(evaluate_every=100), tmp_path / "checkpoint"
-    with mock.patch.object(loop, "_held_out", interrupt), pytest.raises(KeyboardInterrupt):
+    with mock.patch.object(loop, "evaluate", interrupt), pytest.raises(KeyboardInterrupt):
         training.fit(*call)
     with after_steps(lambda _: pytest.fail("a step was repeated")):
         training.fit(*call)

@@ -121,7 +121,9 @@ def fit(data: Features, config: Config | None = None,
                                                   model=model.parts()[1])
 
     def assess() -> None:
-        error = _held_out(model, train, test)
+        # at most 1,000 frames per style, style vectors from at most 8 clips
+        errors = evaluate(model, make_bank(model, train, 8), test, 1000)
+        error = sum(e["mse"] for e in errors.values()) / len(errors) if errors else None
         row = {"step": state.step, "elapsed": state.elapsed, "processor": state.processor}
         state.history.append({**row, **state.losses, "held_out": error})
         if config.patience and state.stalled == 0:
@@ -243,12 +245,3 @@ def _mean(fabric: Alone, *numbers: float) -> list[float]:
         return list(numbers)
     own = torch.tensor(numbers, dtype=torch.float64, device=fabric.device)
     return fabric.all_reduce(own, reduce_op="mean").tolist()
-
-
-def _held_out(model: Predictor, train: Features, test: Features) -> float | None:
-    """Test error, the mean over styles.
-
-    It uses at most 1,000 frames per style, and style vectors from at most 8 clips.
-    """
-    errors = evaluate(model, make_bank(model, train, 8), test, 1000)
-    return sum(e["mse"] for e in errors.values()) / len(errors) if errors else None
