@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations
-from typing import Any, Protocol
+from typing import Any
 
 import torch
 from torch import Tensor
@@ -58,13 +58,6 @@ LEAST = "body", "apart"  # kinds whose values must not be below the limit
 OTHERS = {("trunk", "trunk"): 0.2, ("limb", "limb"): 0.05, ("limb", "trunk"): 0.12}
 
 
-class Rendered(Protocol):
-    """A shot or a scene of `toolkit.extra.shots`."""
-
-    def render(self, model: Any, bank: Any) -> Any:
-        """The motion of each character."""
-
-
 @dataclass(frozen=True)
 class Finding:
     """A defect: what, where, when, how large, and what recorded people keep."""
@@ -92,7 +85,7 @@ class Finding:
                 f"{self.end:.2f} s, {self.value:.3g} {sign} {self.limit:.3g} {self.unit}")
 
 
-def defects(clip: Clip | Sequence[Clip] | Rendered, model: tuple[Any, Any] | None = None, *,
+def defects(clip: Clip | Sequence[Clip] | Any, model: tuple[Any, Any] | None = None, *,
             apart: float | None = None) -> list[Finding]:
     """What is broken in a motion, in order of time; empty if nothing is.
 
