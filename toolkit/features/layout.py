@@ -63,10 +63,6 @@ class Layout:
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Layout) and not self.difference(other)
 
-    def __hash__(self) -> int:
-        return hash((self.skeleton.names, self.skeleton.parents, self.phase, self.samples,
-                     self.phase_limbs))
-
     def difference(self, other: "Layout") -> str:
         """What differs from another layout, in words; empty if they are equal.
 
