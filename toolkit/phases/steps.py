@@ -57,10 +57,8 @@ def evidence(clip: Clip) -> np.ndarray:
 
     It is the logarithm of speed / limit. The toe's least speed within `NEARBY` counts as slipping.
     """
-    feet = [f"{side}_foot" for side in contacts.FEET]
-    roles = [clip.skeleton.role(foot.replace("foot", "toe")) for foot in feet]
-    lengths = np.array([[leg_length(clip.skeleton, foot)] for foot in feet])
-    toes = clip.global_positions[:, roles].double().cpu().numpy() / lengths
+    lengths = np.array([[leg_length(clip.skeleton, side)] for side in contacts.FEET])
+    toes = contacts.toes_of(clip).double().cpu().numpy() / lengths
 
     # speed of the toes, without the noise of recordings
     filters, around = scipy.ndimage, 2 * round(NEARBY * clip.fps) + 1
@@ -88,15 +86,14 @@ def evidence(clip: Clip) -> np.ndarray:
     return np.clip(swings, -SURE, SURE)
 
 
-def leg_length(skeleton: Skeleton, foot: str) -> float:
+def leg_length(skeleton: Skeleton, side: str) -> float:
     """Length of the bones from hip to toe, metres; ValueError if the toe is not below the hip."""
-    side = foot.removesuffix("_foot")
     start, end = (skeleton.role(f"{side}_{part}") for part in ("hip", "toe"))
     chain = skeleton.tree.up(end)
     bones = chain[: chain.index(start)] if start in chain else []
     length = float(skeleton.offsets[bones].norm(dim=-1).sum())
     if length < NONE:
-        raise ValueError(f"{foot}: {length:g} m of bones from {skeleton.names[start]} down to "
+        raise ValueError(f"{side}_foot: {length:g} m of bones from {skeleton.names[start]} down to "
                          f"{skeleton.names[end]}; check the roles of the skeleton")
     return length
 
