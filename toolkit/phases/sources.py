@@ -144,6 +144,7 @@ class Hybrid:
     """
 
     contact_free: ContactFree = field(default_factory=ContactFree)
+    signal = staticmethod(steps.signal)  # of a contact curve
 
     def fitted(self, clips: Sequence[Clip]) -> "Hybrid":
         """The same source with contact-free axes of all frames of `clips`."""
@@ -157,10 +158,6 @@ class Hybrid:
         """Source curve ``[F]``."""
         stances = _touches(clip, limb)
         return self.contact_free(clip, limb) if stances is None else stances
-
-    def signal(self, curve: Tensor) -> Tensor | None:
-        """`steps.signal` of a contact curve; None for other curves, which need a fit."""
-        return steps.signal(curve)
 
 
 def _touches(clip: Clip, limb: str) -> Tensor | None:
