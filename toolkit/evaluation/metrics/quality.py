@@ -4,8 +4,6 @@ Real motion does not have the value 0: compare with real clips. `toolkit.evaluat
 the single moments.
 """
 
-import math
-
 import torch
 from torch import Tensor
 
@@ -25,8 +23,7 @@ def jerk(clip: Clip) -> float:
     Of positions 1/30 s apart, so that it does not depend on the rate. NaN below 0.13 s.
     """
     joints = clip.global_positions[:, [clip.skeleton.role(role) for role in JOINTS]].double()
-    found = findings.jerks(joints, clip.fps)
-    return float(found.mean()) if len(found) else torch.nan
+    return float(findings.jerks(joints, clip.fps).mean())
 
 
 def shake(clip: Clip) -> float:
@@ -55,9 +52,8 @@ def through(clip: Clip) -> float:
 
     The limits are those of `toolkit.evaluation.findings.LIMITS`.
     """
-    rows = [(values, limit) for kind, _, values, limit in findings.measured(clip)
-            if kind == "body"]
-    return float(sum((limit - values).clamp_min(0.0).mean() for values, limit in rows))
+    return float(sum((limit - values).clamp_min(0.0).mean()
+                     for kind, _, values, limit in findings.measured(clip) if kind == "body"))
 
 
 def stretch(clip: Clip) -> float:
@@ -108,4 +104,4 @@ def _deviation(points: Tensor) -> float:
 def _mean(clip: Clip, kind: str) -> float:
     """Mean of a kind of `findings.measured`, NaN where it has no value."""
     found = [values for kinds, _, values, _ in findings.measured(clip) if kinds == kind]
-    return float(torch.cat(found).nanmean()) if found else math.nan
+    return float(torch.cat(found).nanmean()) if found else torch.nan
