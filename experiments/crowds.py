@@ -154,16 +154,16 @@ def measured(net, bank, scene: Scene, radii: list[float]) -> dict:
         near.append((torch.cdist(places, places) + spare).amin(1))
         there |= (places - ends).norm(dim=-1) < 1.0
         if frame % FPS == 0:
-            nearest.append(_joints(net, state))
+            nearest.append(_joints(state))
         began = time.process_time()
     return {"near": torch.cat(near[::6]).numpy(), "least": float(torch.stack(near).min()),
             "joints": min(nearest), "arrived": float(there.float().mean()),
             "frame": 1e3 * spent / len(near)}
 
 
-def _joints(net, state: CharacterState) -> float:
+def _joints(state: CharacterState) -> float:
     """The least distance of two joints of different characters, metres."""
-    joints = world_joints(net.layout, state)["position"]
+    joints = world_joints(state.joints, state.root)["position"]
     apart = torch.cdist(joints.flatten(0, 1), joints.flatten(0, 1))
     apart = apart.view(len(joints), joints.shape[1], len(joints), -1).amin((1, 3))
     return float((apart + 1e3 * torch.eye(len(joints))).min())

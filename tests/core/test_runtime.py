@@ -106,7 +106,7 @@ def test_the_pose_that_is_fed_back_is_the_drawn_one(small_run):
     skeleton = model.layout.skeleton
     rotations, root = runtime.pose(model, replace(state, drop=0 * state.drop))
     drawn = tk.motion.forward_kinematics(skeleton, rotations, root)[1]
-    here = runtime.world_joints(model.layout, state)["position"]
+    here = runtime.world_joints(state.joints, state.root)["position"]
     for part in ("knee", "foot", "toe"):
         for side in ("right", "left"):
             joint = skeleton.role(f"{side}_{part}")

@@ -86,7 +86,7 @@ def test_bodies_keep_apart_by_the_reach_of_their_styles(fast):
     arms = Scene([replace(MEET[0], styles="Aeroplane"), MEET[1]], 1.0)
     scene, nearest = arms.spaced(model, bank, bodies=0.4), []
     for each in (arms, scene):
-        places = torch.stack([tk.runtime.world_joints(model.layout, state)["position"]
+        places = torch.stack([tk.runtime.world_joints(state.joints, state.root)["position"]
                               for state in list(each.states(model, bank))[::5]])
         nearest.append(float(torch.cdist(places[:, 0], places[:, 1]).min()))
     assert nearest[0] < 0.25 < 0.3 < nearest[1]
@@ -98,7 +98,7 @@ def test_bodies_keep_apart_by_the_reach_of_their_styles(fast):
         state, reach = tk.runtime.start(model, bank.blend(style)), []
         for _ in range(59):
             state = tk.runtime.step(model, state, tk.runtime.Command((0.0, bank.speed(style))))
-            joints = tk.runtime.world_joints(model.layout, state)["position"][0, :, [0, 2]]
+            joints = tk.runtime.world_joints(state.joints, state.root)["position"][0, :, [0, 2]]
             reach.append(float((joints - state.root[0, :2]).norm(dim=-1).max()))
         assert radius == pytest.approx(max(reach[20:]) + 0.2, abs=0.0051)
         assert radius == round(radius, 2)

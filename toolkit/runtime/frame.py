@@ -210,8 +210,9 @@ def planted(model, state: CharacterState, new: CharacterState) -> CharacterState
     # Both poses in the world, at once.
     joints, roots = (torch.cat(pair) for pair in ((state.joints, new.joints),
                                                   (state.root, new.root)))
-    world = _in_world(joints, roots)
-    rotations, legs, count = _rotations(world), leg_joints(layout), len(new.joints)
+    world = world_joints(joints, roots)
+    rotations = R.from_forward_up(world["forward"], world["up"])
+    legs, count = leg_joints(layout), len(new.joints)
     before, toes = world["position"][:, legs[2::3]].split(count)
     feet = rotations[:, legs[1::3]].split(count)
 
@@ -247,8 +248,8 @@ def pose(model, state: CharacterState, *, feet: bool = True,
     ``arms``: turn arm bones to the predicted positions.
     """
     layout: Layout = getattr(model, "layout", model)
-    skeleton, world = layout.skeleton, world_joints(layout, state)
-    rotation = _rotations(world)[:, skeleton.feature_of]
+    skeleton, world = layout.skeleton, world_joints(state.joints, state.root)
+    rotation = R.from_forward_up(world["forward"], world["up"])[:, skeleton.feature_of]
     if feet:
         rotation = swivelled(skeleton, rotation, state.swivel)
     local = local_rotations(skeleton, rotation)
@@ -268,23 +269,14 @@ def pose(model, state: CharacterState, *, feet: bool = True,
     return local, root
 
 
-def world_joints(layout: Layout, state: CharacterState) -> dict[str, Tensor]:
-    """The pose's position, forward, up and velocity in the world, each ``[B, J, 3]``."""
-    return _in_world(state.joints, state.root)
-
-
-def _in_world(joints: Tensor, root: Tensor) -> dict[str, Tensor]:
+def world_joints(joints: Tensor, root: Tensor) -> dict[str, Tensor]:
+    """A pose's position, forward, up and velocity in the world, each ``[B, J, 3]``."""
     return split_joints(seen_from(joints, *root.split(2, -1)))
-
-
-def _rotations(world: dict[str, Tensor]) -> Tensor:
-    """World rotations ``[B, J, 4]`` of a pose from `world_joints`."""
-    return R.from_forward_up(world["forward"], world["up"])
 
 
 def predicted_toes(layout: Layout, state: CharacterState) -> Tensor:
     """World positions ``[B, 2, 3]`` of the right and left toe in the pose."""
-    return world_joints(layout, state)["position"][:, leg_joints(layout)[2::3]]
+    return world_joints(state.joints, state.root)["position"][:, leg_joints(layout)[2::3]]
 
 
 def _matrix(root: Tensor) -> Tensor:

@@ -121,7 +121,7 @@ class Scene:
             with torch.no_grad():
                 state = step(model, state, Command(ahead * (frame < TRIED)))
             if TRIED // 3 < frame < TRIED:
-                joints = world_joints(model.layout, state)["position"][..., [0, 2]]
+                joints = world_joints(state.joints, state.root)["position"][..., [0, 2]]
                 away = joints - state.root[:, None, :2]
                 far = far.maximum(away.norm(dim=-1).amax(1))
         drift = (places[-1] - places[2 * TRIED]).norm(dim=-1) * FPS / TRIED
