@@ -88,5 +88,5 @@ def test_vectors_are_fitted_by_default_but_not_of_older_files_nor_of_tables():
     data = waves()
     table = training.fit(data, replace(QUICK, model="lpn-resad", steps=5, refit=3))
     assert torch.equal(table.bank.vectors, training.make_bank(table.model, data).vectors)
-    with refusal("refit must not be negative, got -1"):
+    with refusal(r"refit must be a whole number from 0 to 1e\+30, got -1"):
         replace(QUICK, refit=-1)

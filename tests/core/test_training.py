@@ -473,19 +473,24 @@ def test_a_saved_run_is_whole(tmp_path, straight, monkeypatch):
 
 @pytest.mark.parametrize(("changes", "match"), [
     ({"epochs": 1, "steps": 1}, "one of epochs, steps and seconds, got epochs and steps"),
-    ({"held_out": 1.0}, r"held_out must be in \[0, 1\)"),
-    ({"patience": 1, "held_out": 0.0}, "needs held-out frames; got 1 and held_out 0.0"),
+    ({"held_out": 1.0}, r"held_out must be a number from 0 to 0\.99, got 1\.0"),
+    ({"patience": 0}, r"patience must be a whole number from 1 to 1e\+30, got 0"),
+    ({"seconds": math.nan}, r"seconds must be a number from 1e-30 to 1e\+30, got nan"),
+    ({"batch": None}, "batch must be a whole number from 1"),
+    ({"batch": 4, "clips_per_batch": 5}, "clips_per_batch must be at most the 4 frames of a mini"),
     ({"device": "abacus"}, "device must be cpu, cuda, .* got 'abacus'"),
-    ({"steps": 2.5}, r"steps must be a whole number, got 2\.5"),
+    ({"steps": 2.5}, r"steps must be a whole number from 1 to 1e\+30, got 2\.5"),
 ])
 def test_impossible_configs(changes, match):
     with refusal(match):
         Config(**changes)
 
 
-def test_unknown_style_and_divergence_are_named():
+def test_unknown_style_patience_and_divergence_are_named():
     with refusal("unknown style 'style9'; close to it"):
         fit(styles=("style9",))
+    with refusal(r"patience needs held-out frames; held_out=0\.0"):
+        fit(patience=1, held_out=0.0)
     with refusal("training diverged at step"):
         fit(rate=1e30, max_gradient=None)
 

@@ -1,11 +1,10 @@
 """A training run: its config, and its result as one file."""
 
 import json
-import math
 import os
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass, field
-from numbers import Integral
+from numbers import Integral, Real
 from pathlib import Path
 
 import torch
@@ -19,7 +18,14 @@ from toolkit.training.loss import STEPS
 
 PRECISIONS = ("32", "bf16")
 #: Settings that are whole numbers.
-WHOLE = "steps", "batch", "clips_per_batch", "refit", "seed", "evaluate_every", "processes"
+WHOLE = ("steps", "patience", "batch", "clips_per_batch", "refit", "seed", "evaluate_every",
+         "processes")
+SMALL, LARGE = 1e-30, 1e30
+#: Least and largest value of the settings that are numbers.
+RANGES = {
+    **dict.fromkeys(WHOLE, (1, LARGE)), "refit": (0, LARGE), "seed": (0, LARGE),
+    **dict.fromkeys(("epochs", "seconds", "rate"), (SMALL, LARGE)), "style_rate": (0, LARGE),
+    "final_rate": (0, 1), "pose_mixup": (0, 1), "held_out": (0, 0.99)}
 PROCEDURAL = Path(__file__).with_name("pretrained.safetensors")
 RECORDED = Path(__file__).parents[2] / "examples" / "models" / "recorded.safetensors"
 TIMES = "elapsed", "processor"  # measured times in a history; two runs never have the same
@@ -72,36 +78,24 @@ class Config:
 
     def __post_init__(self):
         registry.find(f"model.{self.model}")
-        budgets = {name: value for name in ("epochs", "steps", "seconds")
-                   if (value := getattr(self, name)) is not None}
+        budgets = [name for name in ("epochs", "steps", "seconds")
+                   if getattr(self, name) is not None]
         if len(budgets) > 1:
             raise ValueError(f"give one of epochs, steps and seconds, got {' and '.join(budgets)}")
-        for name, value in budgets.items():
-            if not 0 < value < math.inf:
-                raise ValueError(f"{name} must be positive and finite, got {value}")
-        for name in WHOLE:
-            value = getattr(self, name)
-            if value is not None and not isinstance(value, Integral):
-                raise ValueError(f"{name} must be a whole number, got {value!r}")
-        for name, right, wanted in (
-            *((name, getattr(self, name) >= 1, "be a whole number from 1")
-              for name in ("batch", "evaluate_every", "processes")),
-            ("clips_per_batch", 1 <= self.clips_per_batch <= self.batch,
-             f"be from 1 to the {self.batch} frames of a minibatch"),
-            ("rate", 0 < self.rate < math.inf, "be positive and finite"),
-            ("style_rate", 0 <= self.style_rate < math.inf, "be finite and not negative"),
-            ("final_rate", 0 <= self.final_rate <= 1, "be in [0, 1]"),
-            ("pose_mixup", 0 <= self.pose_mixup <= 1, "be in [0, 1]"),
-            ("held_out", 0 <= self.held_out < 1, "be in [0, 1)"),
-            ("refit", self.refit >= 0, "not be negative"),
-            ("seed", self.seed >= 0, "not be negative"),
-            ("precision", self.precision in PRECISIONS, f"be one of {', '.join(PRECISIONS)}"),
-        ):
-            if not right:
-                raise ValueError(f"{name} must {wanted}, got {getattr(self, name)!r}")
-        if self.patience is not None and (self.patience < 1 or not self.held_out):
-            raise ValueError("patience must be a whole number from 1, and needs held-out frames; "
-                             f"got {self.patience} and held_out {self.held_out}")
+        for name, (least, most) in RANGES.items():
+            value, kind = getattr(self, name), Integral if name in WHOLE else Real
+            if value is getattr(Config, name):  # None, of some
+                continue
+            if not (isinstance(value, kind) and least <= value <= most):
+                whole = "whole " * (name in WHOLE)
+                raise ValueError(f"{name} must be a {whole}number from {least:g} to {most:g}, "
+                                 f"got {value!r}")
+        if self.clips_per_batch > self.batch:
+            raise ValueError(f"clips_per_batch must be at most the {self.batch} frames of a "
+                             f"minibatch, got {self.clips_per_batch}")
+        if self.precision not in PRECISIONS:
+            raise ValueError(f"precision must be one of {', '.join(PRECISIONS)}, "
+                             f"got {self.precision!r}")
         try:
             torch.device(self.device)
         except RuntimeError:
