@@ -49,10 +49,11 @@ def start(device: str, processes: int) -> Any:
     beginning. Under ``torchrun``, which starts them itself, this joins them. ValueError if there is
     no such device, ImportError if several processes need Lightning Fabric and it is not installed.
     """
-    kind, nodes = torch.device(device), 1
+    nodes = 1
     if "TORCHELASTIC_RUN_ID" in os.environ:  # torchrun
         processes, nodes = int(os.environ["LOCAL_WORLD_SIZE"]), int(os.environ["GROUP_WORLD_SIZE"])
     try:
+        kind = torch.device(device)
         if processes * nodes == 1:
             torch.empty(0, device=kind)
             return Alone(kind)

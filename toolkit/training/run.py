@@ -96,11 +96,6 @@ class Config:
         if self.precision not in PRECISIONS:
             raise ValueError(f"precision must be one of {', '.join(PRECISIONS)}, "
                              f"got {self.precision!r}")
-        try:
-            torch.device(self.device)
-        except RuntimeError:
-            raise ValueError("device must be cpu, cuda, cuda:1 or another that torch knows, got "
-                             f"{self.device!r}") from None
 
     @classmethod
     def quick(cls, **changes) -> "Config":
