@@ -97,7 +97,7 @@ def course(run: training.Run) -> list[tuple]:
 @pytest.fixture(scope="module")
 def straight():
     """A run without a stop."""
-    return fit(save_every=0.0)
+    return fit()
 
 
 def test_minibatches_cycle_through_styles_and_frames():
@@ -266,7 +266,8 @@ def test_stopped_or_killed_and_resumed_equals_not_stopped(tmp_path, straight):
         elif step == 9:
             interrupt()
 
-    with pytest.raises(KeyboardInterrupt), after_steps(during):
+    with (pytest.raises(KeyboardInterrupt), after_steps(during),
+          mock.patch.object(training.checkpoint, "SAVE_EVERY", 0.0)):
         training.fit(waves(), straight.config, stopped)
     assert torch.equal(torch.rand(4), expected)  # the global generator is left alone
     straight.save(tmp_path / "straight")

@@ -427,7 +427,7 @@ def prepare(base: Path) -> list[Job]:
     FORK.Process(target=server.serve_forever, daemon=True).start()
     digest = hashlib.sha256(archive.read_bytes()).hexdigest()
     sizes = networks.Sizes(hidden=64, film_channels=8, film_kernel=5, film_dense=64)
-    quick = functools.partial(training.Config.quick, save_every=0.1, sizes=sizes)
+    quick = functools.partial(training.Config.quick, sizes=sizes)
     clips = procedural.load(["Neutral", "Zombie"], ["FW"], 20.0)
     model, bank = training.pretrained()
 
@@ -440,7 +440,8 @@ def prepare(base: Path) -> list[Job]:
                  "--workers", 1)
 
     def train(folder: Path) -> None:
-        with mock.patch.object(training.Config, "quick", quick):
+        with (mock.patch.object(training.Config, "quick", quick),
+              mock.patch("toolkit.training.checkpoint.SAVE_EVERY", 0.1)):
             _command("train", "--data", stored, "--out", folder / "run.safetensors", "--small",
                      "--epochs", 4, "--refit", 5, "--resume")
 

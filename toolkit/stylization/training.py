@@ -54,7 +54,6 @@ class Config:
     warm_up: int = 0  # first iterations, which train G and E alone by "id", as an autoencoder
     r1_every: int = 1  # iterations from one R1 term to the next, with as many times its weight
     log_every: int = 100  # iterations per row of the history
-    save_every: float = 120.0  # seconds between checkpoints
     seed: int = 0
     device: str = "cpu"
     __repr__ = summary
@@ -95,7 +94,7 @@ class Config:
     def fixed(self) -> dict:
         """What must not change when a run is resumed, as JSON holds it."""
         values = asdict(self)
-        del values["save_every"], values["device"]
+        del values["device"]
         return json.loads(json.dumps(values))
 
 
@@ -174,7 +173,7 @@ def fit(motions: Motions, config: Config | None = None,
     def spent() -> float:
         return max(state["step"] / config.iterations, state["elapsed"] / config.seconds)
 
-    saver = Saver(lambda: file.save(checkpoint, state) if checkpoint else None, config.save_every)
+    saver = Saver(lambda: file.save(checkpoint, state) if checkpoint else None)
     bar = progress_bar(total=config.iterations, initial=state["step"], desc="training",
                        unit="step", show=progress)
     with saver, bar:

@@ -16,6 +16,7 @@ from toolkit.io import model_files
 from toolkit.io.model_files import check, starting
 from toolkit.motion.tensors import summary
 
+SAVE_EVERY = 120.0  # seconds between checkpoints
 COUNTED = 2**24  # Adam's own number of steps, a float32, grows no further
 
 @dataclass(frozen=True, eq=False)
@@ -110,16 +111,16 @@ def _moments(tensors: dict[str, Tensor], adam: torch.optim.Adam) -> dict[int, di
 
 
 class Saver(contextlib.AbstractContextManager):
-    """Saves a run between two steps: ``every`` so many seconds, when it is interrupted or done.
+    """Saves a run between two steps: every `SAVE_EVERY`, and when it is interrupted or done.
 
     Inside, the first Ctrl-C ends the step, saves and raises KeyboardInterrupt; the second
     interrupts at once. ``elapsed`` is the time before the run was resumed, seconds. ``agree``
     computes the means of numbers over all processes, so that all stop at the same step.
     """
 
-    def __init__(self, save: Callable[[], None], every: float, elapsed: float = 0.0,
+    def __init__(self, save: Callable[[], None], elapsed: float = 0.0,
                  agree: Callable[..., list[float]] = lambda *numbers: list(numbers)):
-        self.save, self.every, self.agree = save, every, agree
+        self.save, self.agree = save, agree
         self.began, self.saved = time.perf_counter() - elapsed, time.perf_counter()
         self.interrupted, self._before = threading.Event(), None
 
@@ -149,7 +150,7 @@ class Saver(contextlib.AbstractContextManager):
         """End a step, save if due; returns the training time, seconds, the same in all processes.
         """
         elapsed, stop = self.agree(self.elapsed, self.interrupted.is_set())
-        if stop or time.perf_counter() - self.saved > self.every:
+        if stop or time.perf_counter() - self.saved > SAVE_EVERY:
             self.save()
             self.saved = time.perf_counter()
         if stop:

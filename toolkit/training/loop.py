@@ -136,7 +136,7 @@ def fit(data: Features, config: Config | None = None,
     bar = progress_bar(total=limit, bar_format=form, desc="training", initial=spent(), unit="step",
                        show=progress and first)
     smooth, before = math.nan, time.process_time() - state.processor
-    saver = Saver(save, config.save_every, state.elapsed, partial(_mean, fabric))
+    saver = Saver(save, state.elapsed, partial(_mean, fabric))
     with saver, bar:
         model.train()
         while (done := spent() / limit) < 1:

@@ -69,7 +69,6 @@ class Config:
     refit: int = STEPS
     held_out: float = 0.1  # share of every style's frames that is kept for the test error
     evaluate_every: int = 1000  # steps between test errors in the history
-    save_every: float = 120.0  # seconds between checkpoints
     seed: int = 0  # of initial weights, held-out frames, minibatches and dropout
     precision: str = "32"  # "bf16": products in bfloat16, weights and Adam in float32
     device: str = "cpu"  # of torch: "cpu", "cuda", "cuda:1" …
@@ -116,12 +115,13 @@ class Config:
         """A config as JSON holds it."""
         sizes, styles = Sizes(**stored["sizes"]), tuple(stored["styles"])
         settings = {"refit": 0, **stored, "sizes": sizes, "styles": styles}
-        settings.pop("bone_weight", None)  # of files from before 0.3
+        for old in ("bone_weight", "save_every"):  # of files from before 0.3
+            settings.pop(old, None)
         return cls(**settings)
 
     def fixed(self) -> dict:
         """The settings that must not change when a run is resumed, as JSON values."""
-        free = {"save_every", "device", "processes", "refit"}
+        free = {"device", "processes", "refit"}
         if self.patience is None:
             free.add("evaluate_every")
         settings = asdict(self).items()
