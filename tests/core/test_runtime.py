@@ -29,6 +29,7 @@ class Replay:
         self.outputs_mean, self.phases_mean = self.rows.outputs.mean(0), self.rows.phases.mean(0)
         self.phases_std = self.rows.phases.std(0)
         self.frame = 0
+        self.style_size, self.memory, self.life, self.lift, self.ground = 1, 0, 0.0, 1.0, 0.02
 
     def predict(self, x, phases, style):
         self.frame += 1

@@ -29,7 +29,6 @@ LIFTED = 0.1  # metres over the ground: a higher foot stays there, as in hops on
 # Metres (ours): a frame corrects the integrated position of a joint by at most so much. Not of a
 # leg: the published network then glides. With 1 cm, arms lag behind a hop, and HopLeft glides.
 JUMP = 0.02
-GROUND = 0.02  # metres: height of a standing toe, of models that have no ``ground``
 CORRECTION = 0.85  # share of the network's prediction in the next frame's trajectory
 
 
@@ -63,8 +62,8 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
     layout: Layout = model.layout
     phase, joints = initial_pose(model)
     style = vectors_of(style, joints)
-    if style.shape[1] != (size := getattr(model, "style_size", style.shape[1])):
-        raise ValueError(f"style needs {size} columns, got shape {list(style.shape)}")
+    if style.shape[1] != model.style_size:
+        raise ValueError(f"style needs {model.style_size} columns, got shape {list(style.shape)}")
 
     # The root, alike for all past and future frames.
     look = R.normalize(pairs_of(facing, "facing", style))
@@ -93,11 +92,11 @@ def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
         swivel=torch.zeros_like(look),
     )
     toes = predicted_toes(layout, state)
-    toes[..., 1] = getattr(model, "ground", GROUND)
+    toes[..., 1] = model.ground
     state = replace(state, toes=toes)
-    if frames := getattr(model, "memory", 0):  # it has stood there before
+    if model.memory:  # it has stood there before
         x = _input_frame(layout, state, state.future)
-        return Remembering(**vars(state), memory=x[:, None].expand(-1, frames, -1))
+        return Remembering(**vars(state), memory=x[:, None].expand(-1, model.memory, -1))
     return state
 
 
@@ -156,8 +155,7 @@ def predicted(model, state: CharacterState, command: Command) -> CharacterState:
 
     # Contacts: while the character stands, a low foot comes down and then stays there.
     contacts = out["contacts"].clamp(0.0, 1.0)
-    ground = getattr(model, "ground", GROUND)
-    low = state.toes[..., 1] < ground + LIFTED
+    low = state.toes[..., 1] < model.ground + LIFTED
     rising = contacts.maximum((state.contacts + 1 / (LANDING * FPS)).clamp_max(1.0))
     contacts = torch.where((stand > STANDS) & low, rising, contacts)
 
@@ -173,11 +171,11 @@ def predicted(model, state: CharacterState, command: Command) -> CharacterState:
     position = position + limited
 
     # A model may have a factor `lift` on the height of toes in the air, up to `HIGH`.
-    swing = getattr(model, "lift", 1.0) - 1.0
+    swing = model.lift - 1.0
     toes = legs[2::3]
     height = position[:, toes, 1]
     in_the_air = 1.0 - (2 * contacts).clamp_max(1.0)
-    position[:, toes, 1] += swing * in_the_air * (height - ground).clamp(0.0, HIGH)
+    position[:, toes, 1] += swing * in_the_air * (height - model.ground).clamp(0.0, HIGH)
 
     # A start: pose and phase, as the root, go the share 1 - held of a frame.
     moves = R.length(steered.velocity) > MOVES
@@ -206,7 +204,7 @@ def leg_joints(layout: Layout) -> list[int]:
 
 def planted(model, state: CharacterState, new: CharacterState) -> CharacterState:
     """The frame ``new``, which follows ``state``, after foot lock and foot IK."""
-    layout, ground = model.layout, getattr(model, "ground", GROUND)
+    layout = model.layout
     # Both poses in the world, at once.
     joints, roots = (torch.cat(pair) for pair in ((state.joints, new.joints),
                                                   (state.root, new.root)))
@@ -223,7 +221,7 @@ def planted(model, state: CharacterState, new: CharacterState) -> CharacterState
     raised = (R.rotate(feet[1], soles) - soles)[..., 1]
     left = torch.stack((new.root[:, 3], -new.root[:, 2]), -1)
     toes, drift = foot_lock(state.toes, state.drift, before, toes, state.contacts, new.contacts,
-                            left, ground, raised, 1 / FPS)
+                            left, model.ground, raised, 1 / FPS)
 
     # The legs bend towards these toes. The next frame is predicted from them, seen from the root.
     bent, drop, toes = solve_legs(skeleton, rotations[count:, skeleton.feature_of],

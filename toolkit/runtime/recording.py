@@ -60,7 +60,7 @@ def rollout(model, commands: Sequence[Command | Pilot], style: Styles, ik: bool 
     Clip
         Motion on the model's whole skeleton, with constant bone lengths.
     """
-    life = getattr(model, "life", 0.0) if life is None else life
+    life = model.life if life is None else life
     recorded = states(model, commands, style, first, progress, life, seed)
     return record(model, recorded, feet=ik, arms=ik)
 

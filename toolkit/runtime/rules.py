@@ -48,8 +48,8 @@ def rules_of(model) -> Rules:
         "half_second": fps // 2,
         "seconds": np.diff(layout.ahead, prepend=0) / fps,
         "fps": float(fps),
-        "lift": getattr(model, "lift", 1.0) - 1.0,
-        "ground": getattr(model, "ground", frame.GROUND),
+        "lift": model.lift - 1.0,
+        "ground": model.ground,
         # per frame
         "fastest": steering.FASTEST / fps,
         "spin": steering.SPIN / fps,

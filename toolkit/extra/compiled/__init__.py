@@ -46,7 +46,7 @@ class CompiledModel:
             raise ValueError("a calibrated model cannot be compiled; set model.calibrated = False")
         self.layout: Layout = model.layout
         self.name, self.sizes, self.style_size = model.name, model.sizes, model.style_size
-        self.life, self.ground = model.life, model.ground
+        self.life, self.ground, self.memory = model.life, model.ground, model.memory
         for buffer in ("phases_mean", "phases_std", "outputs_mean"):  # `toolkit.runtime.start`
             setattr(self, buffer, getattr(model, buffer).clone())
         self.weights = network.Weights.of(model)

@@ -125,7 +125,7 @@ class _Player:
 
     def __init__(self, model: Matching, state: CharacterState):
         self.model, self.state, self.layout = model, state, model.layout
-        self.ground = model.ground
+        self.ground, self.lift = model.ground, model.lift
 
     def predict(self, x: Tensor, phases: Tensor, style: Tensor) -> Tensor:
         """The next frames ``[B, Dz]``, physical units; notes row, due, offset and speed."""

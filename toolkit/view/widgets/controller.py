@@ -76,7 +76,7 @@ class Controller(SceneWidget, Corners):
         self._model, self._bank = model, bank
         self._natural = speed = _within(bank.speed(names[0]))
         self._vector = self._target = bank.blend(dict.fromkeys(names, 0.0) | {names[0]: 1.0})
-        self._alive = alive(lambda _: self._vector, getattr(model, "life", 0.0))
+        self._alive = alive(lambda _: self._vector, model.life)
         self.state = runtime.start(model, self._vector)
         self._facing = 0.0
         self._input = {"id": 0, "move": [0.0, 0.0], "turn": 0.0, "run": False, "heading": None}
