@@ -212,12 +212,11 @@ def straight(speed: float = 1.2, seconds: float = 10.0,
              facing: Sequence[float] = (0.0, 1.0)) -> list[Command]:
     """Commands that walk straight ahead at ``speed`` m/s.
 
-    A ValueError if the speed is not finite, the time not 0 to `LONGEST`, or ``facing`` is zero.
+    A ValueError if the time is not 0 to `LONGEST`, ``facing`` is zero, or as of `Command`.
     """
     speed, seconds = as_tensor((speed, seconds), "speed and seconds", torch.float64).tolist()
-    if not (math.isfinite(speed) and 0 <= seconds <= LONGEST):
-        raise ValueError(f"speed must be finite and seconds from 0 to {LONGEST:g}, got {speed} and "
-                         f"{seconds}")
+    if not 0 <= seconds <= LONGEST:
+        raise ValueError(f"seconds must be from 0 to {LONGEST:g}, got {seconds}")
     forward = R.normalize(as_tensor(facing, "facing", torch.float64))
     if not forward.any():
         raise ValueError("facing is the direction of the walk, and must not be zero")
@@ -243,16 +242,14 @@ def follow(points: Sequence[Sequence[float]], speed: float = 1.2,
     speed = float(as_tensor(speed, "speed", torch.float64))
     legs = (path[1:] - path[:-1]).norm(dim=-1)
     pairs = path.dim() == 2 and path.shape[1] == 2 and len(legs) > 0
-    if not (pairs and bool(((legs > 1e-6) & legs.isfinite()).all())):
-        raise ValueError("a path needs two or more different (x, z) points, all finite; got "
-                         f"{list(path.shape)}")
-
-    # Distances along the path at the ends of its legs.
-    ends = legs.cumsum(0)
-    lasts = float(ends[-1]) / max(speed, 1e-300) if seconds is None else seconds
-    if not (0 < speed < math.inf and 0 <= lasts <= LONGEST):
-        raise ValueError("speed must be positive and finite, and seconds in all from 0 to "
-                         f"{LONGEST:g}; got {speed} and {lasts}")
+    ends = legs.cumsum(0)  # distances along the path at the ends of its legs
+    if seconds is None and pairs:
+        seconds = float(ends[-1]) / max(speed, 1e-300)
+    if not (pairs and bool(((legs > 1e-6) & legs.isfinite()).all()) and 0 < speed < math.inf
+            and 0 <= seconds <= LONGEST):
+        raise ValueError("a path needs two or more different (x, z) points, all finite, a positive "
+                         f"speed and 0 to {LONGEST:g} s; got {list(path.shape)}, {speed:g} m/s, "
+                         f"{seconds} s")
 
     def point(distance: float) -> Tensor:
         leg = min(int((ends <= distance).sum()), len(legs) - 1)
@@ -265,7 +262,7 @@ def follow(points: Sequence[Sequence[float]], speed: float = 1.2,
         tangent = ahead - goal if float((ahead - goal).norm()) > 1e-6 else path[-1] - path[-2]
         return lambda state: towards(state, goal, tangent, speed)
 
-    return [pilot(frame / FPS * speed) for frame in range(math.ceil(lasts * FPS))]
+    return [pilot(frame / FPS * speed) for frame in range(math.ceil(seconds * FPS))]
 
 
 def towards(state: CharacterState, goal: Tensor, facing: Tensor, speed: float | Tensor) -> Command:
