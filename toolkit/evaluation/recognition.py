@@ -19,6 +19,7 @@ from toolkit.motion.text import checked
 
 WINDOW = 60  # frames of an input, one second
 HOP = 15  # frames between the windows of a longer motion
+HIDDEN = 64  # filters of each convolution
 STEPS, BATCH, RATE = 200, 128, 2e-3
 OFFSET, JITTER = 0.3, 0.1  # augmentation: standard deviations of noise per window, per frame
 DROPPED = 0.2  # augmentation: share of columns set to their mean
@@ -28,28 +29,27 @@ LEAST = 0.2  # least deviation of a column as a share of the mean deviation of i
 class Recogniser(nn.Module):
     """Probabilities of S styles from 12 J joint features; `train` makes one.
 
-    Two strided convolutions over time with ``hidden`` filters, their mean and maximum over time,
-    and one dense layer.
+    Two strided convolutions over time, their mean and maximum over time, and one dense layer.
     """
 
-    def __init__(self, styles: tuple[str, ...], normaliser: Normaliser, hidden: int = 64):
+    def __init__(self, styles: tuple[str, ...], normaliser: Normaliser):
         super().__init__()
-        self.styles, self.hidden = checked(styles, "a style"), hidden
+        self.styles = checked(styles, "a style")
         self.register_buffer("mean", normaliser.mean.float())
         self.register_buffer("std", normaliser.std.float())
-        self.first = nn.Conv1d(len(normaliser.mean), hidden, 8, stride=4)
-        self.second = nn.Conv1d(hidden, hidden, 5, stride=2)
-        self.out = nn.Linear(2 * hidden, len(self.styles))
+        self.first = nn.Conv1d(len(normaliser.mean), HIDDEN, 8, stride=4)
+        self.second = nn.Conv1d(HIDDEN, HIDDEN, 5, stride=2)
+        self.out = nn.Linear(2 * HIDDEN, len(self.styles))
 
     def __repr__(self) -> str:
-        return summary(self, {"styles": self.styles, "hidden": self.hidden})
+        return summary(self, {"styles": self.styles})
 
     def forward(self, windows: Tensor) -> Tensor:
         """Logits ``[B, S]`` of normalised ``windows [B, WINDOW, 12 J]``."""
         return self.out(self.hidden_features(windows))
 
     def hidden_features(self, windows: Tensor) -> Tensor:
-        """Input ``[B, 2 hidden]`` of the last layer."""
+        """Input ``[B, 2 HIDDEN]`` of the last layer."""
         h = F.elu(self.second(F.elu(self.first(windows.transpose(1, 2)))))
         return torch.cat((h.mean(-1), h.amax(-1)), -1)
 
@@ -79,7 +79,7 @@ class Recogniser(nn.Module):
 
     @torch.no_grad()
     def embed(self, clip: Clip) -> Tensor:
-        """`hidden_features` ``[W, 2 hidden]`` of the W windows of a clip of at least one second."""
+        """`hidden_features` ``[W, 2 HIDDEN]`` of the W windows of a clip of at least one second."""
         return self.hidden_features(self._windows(_joints(clip)))
 
     def accuracy(self, data: Features) -> float:
@@ -91,18 +91,16 @@ class Recogniser(nn.Module):
     def save(self, path: str | os.PathLike) -> None:
         """Write to a safetensors file."""
         tensors = {f"recogniser.{name}": value for name, value in self.state_dict().items()}
-        about = {"styles": self.styles, "hidden": self.hidden}
-        model_files.write(path, tensors, {"recogniser": about})
+        model_files.write(path, tensors, {"recogniser": {"styles": self.styles}})
 
     @classmethod
     def load(cls, path: str | os.PathLike) -> "Recogniser":
         """Read a file of `save`; ValueError for any other file."""
         tensors, parts = model_files.read(path, "recogniser")
         with model_files.intact(path, "the recogniser"):
-            about = parts["recogniser"]
             normaliser = Normaliser(tensors["recogniser.mean"], tensors["recogniser.std"])
             return model_files.restore(
-                lambda: cls(about["styles"], normaliser, about["hidden"]), tensors, "recogniser.")
+                lambda: cls(parts["recogniser"]["styles"], normaliser), tensors, "recogniser.")
 
 
 def train(data: Features, seed: int = 0, steps: int = STEPS) -> Recogniser:

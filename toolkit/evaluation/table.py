@@ -12,7 +12,7 @@ import numpy as np
 from torch import Tensor
 
 from toolkit.evaluation.metrics import bodies, pairs, quality, sets, steps
-from toolkit.evaluation.recognition import Recogniser
+from toolkit.evaluation.recognition import HIDDEN, Recogniser
 from toolkit.motion import Clip, Skeleton
 from toolkit.motion.tensors import as_tensor, at_rate
 
@@ -213,7 +213,7 @@ class _Cached:
     """A recogniser that looks at a clip once."""
 
     def __init__(self, recogniser: Recogniser):
-        self.styles, self.width = recogniser.styles, 2 * recogniser.hidden
+        self.styles, self.width = recogniser.styles, 2 * HIDDEN
         self.embed = functools.cache(recogniser.embed)
         self.of_clip = functools.cache(recogniser.of_clip)
 

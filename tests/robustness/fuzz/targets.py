@@ -162,8 +162,8 @@ def _model(folder: Path) -> list[Reader]:
     sizes = stylizers.Sizes(channels=1, code=1, latent=1, hidden=2)
     stylizer, _ = stylizers.build(SkeletonGraph.of(data.layout.skeleton), ("old",), sizes)
     stylizer.save(folder / "stylizer.safetensors")
-    Recogniser(("a", "b"), features.Normaliser(torch.zeros(12), torch.ones(12)),
-               2).save(folder / "recogniser.safetensors")
+    recogniser = Recogniser(("a", "b"), features.Normaliser(torch.zeros(12), torch.ones(12)))
+    recogniser.save(folder / "recogniser.safetensors")
     readers = {"run.safetensors": (finite, training.load, StyleBank.load),
                "run.checkpoint": (resume,),
                "stylizer.safetensors": (stylizers.Stylizer.load,),
