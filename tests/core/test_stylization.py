@@ -476,8 +476,11 @@ def test_bad_input_is_one_line(walks, model, motions, tmp_path):
     clip = walks[0]
     long_arms = clip.skeleton.offsets * torch.linspace(1.0, 1.5, len(clip.skeleton))[:, None]
     grown = Skeleton(clip.skeleton.names, clip.skeleton.parents, long_arms, clip.skeleton.roles)
-    junk = tmp_path / "junk.safetensors"
-    tk.io.model_files.write(junk, {"stylizer.x": torch.zeros(1)}, {"stylizer": {"domains": ["a"]}})
+    old, junk = tmp_path / "old.safetensors", tmp_path / "junk.safetensors"
+    name = "stylizer.statistics.amplitudes"
+    for path, tensors in ((old, {}), (junk, {name: torch.zeros(1)})):
+        tk.io.model_files.write(path, {"stylizer.x": torch.zeros(1)} | tensors,
+                                {"stylizer": {"domains": ["a"]}})
     few = training.Config.quick(sizes=SMALL, iterations=1)
     for call, said in (
         (lambda: st.stylize(model, clip, "Old"), "unknown domain 'Old'; the model has Neutral"),
@@ -487,6 +490,7 @@ def test_bad_input_is_one_line(walks, model, motions, tmp_path):
         (lambda: training.Config(losses=("adv", "style")), "unknown loss style; known: adv, cyc"),
         (lambda: training.Config(rates={"generator": 1.0}), "rates must be numbers from 0"),
         (lambda: st.fit(motions.select(motions.domain == 0), few), "no motion of Zombie"),
+        (lambda: st.Stylizer.load(old), r"old\.safetensors: it has no amplitudes"),
         (lambda: st.Stylizer.load(junk), r"junk\.safetensors: the stylizer in it is damaged"),
     ):
         with refusal(said):

@@ -243,6 +243,9 @@ class Stylizer(nn.Module):
     def load(cls, path: str | os.PathLike) -> "Stylizer":
         """Read a stylizer from a file of `save`; ValueError for another."""
         tensors, parts = model_files.read(path, "stylizer")
+        if "stylizer.statistics.amplitudes" not in tensors:
+            raise ValueError(f"{path}: it has no amplitudes, as stylizers of older versions: "
+                             "train it again")
         with model_files.intact(path, "the stylizer in it"):
             described = parts["stylizer"]
             graph = SkeletonGraph.of(Skeleton(**described["skeleton"]))
