@@ -1,7 +1,12 @@
 """What notebook 07 and the experiments compare models by: shared errors, movement of hands."""
 
+import json
 from collections import defaultdict
+from collections.abc import Sequence
+from pathlib import Path
+from types import SimpleNamespace
 
+import pandas as pd
 import torch
 from torch import Tensor
 
@@ -21,6 +26,12 @@ from toolkit.training import loss
 
 SHARED = ("trajectory", "joints", "contacts")  # blocks of z that every model predicts
 WINDOW = 240  # frames over which the hands' range is taken, as long as a style clip
+LPN = "lpn-film", "lpn-onehot", "lpn-resad"
+#: Columns of `summary`: key of a stored row, factor.
+SHOWN = {"MSE": ("shared", 1), "recognised, %": ("recognised", 100),
+         "hands' range, of the data's": ("hands", 1), "skate with IK, cm/s": ("skate_ik", 100),
+         "shoulders off, cm": ("clavicle", 100), "hands off, cm": ("hand", 100),
+         "bones off, mm": ("bone", 1000), "path off, cm": ("path", 100)}
 ALIKE = 4  # style clips that a walk is compared with: those nearest to it in velocity
 
 
@@ -123,3 +134,79 @@ def hands(layout: Layout, joints: Tensor, clips: Tensor, speed: float) -> dict[s
     moved = float(made["range"].mean() / real["range"].mean())
     return {"hands": moved, "hands_data": float(real["range"].mean()), "swing": swing,
             "swing_data": swing_data, "together": abs(swing - swing_data)}
+
+
+def stored(folder: Path) -> dict[str, dict]:
+    """Results of ``experiments seven-models`` on a hundred styles, by name; {} if there are none.
+    """
+    found = {file.stem.removeprefix("hundred-"): json.loads(file.read_text("utf-8"))
+             for file in sorted(folder.glob("hundred-*.json"))}
+    vectors = folder / "style-vectors-long.json"
+    return found | {"vectors": json.loads(vectors.read_text("utf-8"))} if found else {}
+
+
+def spread(values: Sequence[float] | float, scale: float = 1.0) -> str:
+    """Mean, and half of the range of the seeds."""
+    found = scale * torch.atleast_1d(torch.as_tensor(values))
+    half = float(found.max() - found.min()) / 2
+    return f"{found.mean():.3g}" + (f" ± {half:.1g}" if half > 1e-4 else "")
+
+
+def summary(stored: dict[str, dict]) -> tuple[pd.DataFrame, dict, dict[str, float]]:
+    """A table of the models after both trainings; their rows by training and model; passes through
+    the data.
+    """
+    table, values, passes = {}, {}, {}
+    for run in ("styles", "long") if stored else ():
+        about = stored[run]["settings"]
+        passes[run] = about["steps"] * about["batch"] / about["frames"]
+        for row in stored[run]["rows"]:
+            values[run, row["model"]] = row
+            seen = f"{passes[run]:.2g} passes" if "seeds" in row else ""
+            table[row["model"], seen] = {
+                name: spread(row[key], scale) for name, (key, scale) in SHOWN.items()
+                if row.get(key) is not None}
+    return pd.DataFrame(table).T.fillna(""), values, passes
+
+
+def after_long_training(stored: dict[str, dict], values: dict) -> SimpleNamespace:
+    """The three modulations of the LPN: errors, shares of recognised walks (FiLM's, the others',
+    of vectors fitted to frames), shoulders (cm; between clips of the data), and whether FiLM had
+    the largest error with every seed of the shorter training.
+    """
+    late = pd.DataFrame({kind: {key: values["long", kind][key][0] for key in (
+        "shared", "recognised", "clavicle")} for kind in LPN}).T
+    early = {kind: values["styles", kind]["shared"] for kind in LPN}
+    fitted = {row["vector"]: row["recognised"][0] for row in stored["vectors"]["rows"]}
+    return SimpleNamespace(
+        error=late["shared"], film=late["recognised"]["lpn-film"],
+        rest=late["recognised"].drop("lpn-film").min(), fitted=fitted["fitted to frames"],
+        wide=100 * late["clavicle"],
+        between=stored["long"]["numbers"]["clavicle: between clips of the data, cm"],
+        worst_early=all(min(early["lpn-film"]) > max(early[kind]) for kind in LPN[1:]))
+
+
+def stuck(stored: dict[str, dict]) -> SimpleNamespace:
+    """Numbers of styles, one for each seed, whose hands move less than half as far as in the data:
+    of MANN and LPN (``moving`` styles in all), and of PFNN and LPN, ``again``.
+    """
+    runs = [stored[name]["rows"] for name in ("no-phase-features", "no-global-phase")]
+    counts = [{row["model"]: row["styles below 0.5"] for row in rows} for rows in runs]
+    return SimpleNamespace(
+        mann=counts[0]["mann-film"], lpn=counts[0]["lpn-film"], pfnn=counts[1]["pfnn-film"],
+        again=counts[1]["lpn-film"], moving=[rows[0]["of styles"] for rows in runs],
+        best=max(max(found["published"]) for found in counts))
+
+
+def shoulders(stored: dict[str, dict]) -> dict[str, list[float]]:
+    """How far shoulders are off, cm, by model, one number for each seed."""
+    return {row["model"]: row["clavicle, cm"] for row in stored["artifacts"]["rows"]}
+
+
+def blends(stored: dict[str, dict]) -> dict[str, SimpleNamespace]:
+    """By model: the widest of ten steps of a blend, as a share of the change of the gait and of a
+    classifier's odds (``leap``), and where the second style begins to win (``cross``).
+    """
+    return {row["model"]: SimpleNamespace(gait=row["gait's widest"], leap=row["widest step"],
+                                          cross=row["crosses at"])
+            for row in stored["interpolation"]["rows"]}

@@ -121,8 +121,9 @@ RIGHT["06.1"] = [
     lambda k, a, lam, mean, d: a + (mean - a) * lam / (k * d * d + lam),
 ]
 RIGHT["06.2"] = [lambda v, m, z, rate: v.sub_(rate * 2 * m.T @ (m @ v - z))]
-RIGHT["06.3"] = [dict(before=9.0, after=4, mean=1, repeat=5)]
+RIGHT["06.3"] = [dict(before=9.0, after=4, mean=1, repeat=2)]
 WRONG["06.3"] = [
+    dict(before=9.0, after=4, mean=1, repeat=5), dict(before=0.4, after=0.1, mean=1, repeat=0.05),
     dict(before=1, after=0.4, mean=1, repeat=0.5), dict(before=1, after=0.5, mean=1, repeat=0.1),
     dict(before=0.2, after=0.4, mean=1, repeat=0.3),
     dict(before=1, after=0.3, mean=0.3, repeat=0.4),

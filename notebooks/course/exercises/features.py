@@ -103,10 +103,10 @@ EXERCISES = {
     "00.2": Exercise(
         shows(
             ("this is how far it goes", lambda x: abs(float(x) - _ahead()) > 0.02),
-            ("this is not the difference", lambda x: abs(3 - float(x) - _ahead()) < 0.02),
+            ("this is not the difference", lambda x: abs(179 / 60 - float(x) - _ahead()) < 0.03),
         ),
         "where is the character in frame 0 and three seconds later, and which number is ahead?",
-        "three metres less the difference of z between the frames 179 and 0.",
+        "1 m/s × 179 / 60 s, less the difference of z between the frames 179 and 0.",
     ),
     "00.3": Exercise(
         shows(

@@ -200,11 +200,11 @@ EXERCISES = {
             ("give the four numbers by name, all above zero", lambda x: isinstance(x, dict) and set(
                 x) == {"before", "after", "mean", "repeat"} and min(x.values()) > 0),
             ("the rule refuses these errors", _better_than_nothing),
-            ("no floor is better than this vector",
-             lambda x: x["after"] > min(x["mean"], x["repeat"])),
+            ("a floor is worse than this vector",
+             lambda x: x["after"] > max(x["mean"], x["repeat"])),
         ),
         "what does the rule not look at?",
-        "make `before` large, `after` less than half of it, and a floor smaller than `after`.",
+        "make `before` large, `after` less than half of it, and both floors smaller.",
     ),
     "08a.1": Exercise(
         equals({"cyc", "id"}, {
