@@ -50,6 +50,12 @@ class Document:
         self.json.setdefault("animations", []).append(made)
         return self
 
+    def skinned(self, points):
+        """Attributes of vertices that all follow a skin's first joint."""
+        rows = np.float32([[1, 0, 0, 0]] * len(points))
+        return {"POSITION": self.add(np.float32(points)), "WEIGHTS_0": self.add(rows),
+                "JOINTS_0": self.add(np.zeros(rows.shape, "u1"))}
+
     def glb(self):
         self.json["buffers"] = [{"byteLength": len(self.data)}]
         return glb(self.json, self.data)

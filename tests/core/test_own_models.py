@@ -13,21 +13,18 @@ from refusal import refusal
 
 import toolkit as tk
 from toolkit import registry
-from toolkit.networks import Sizes
 from toolkit.training import Config
 
 EXAMPLES = Path(__file__).parents[2] / "examples" / "models"
 NAMES = {"flow-transformer": "local", "vq-codebook": "local", "gru": "none"}
-TINY = Sizes(hidden=32, experts=4, gating=8, film_channels=8, film_kernel=5, film_dense=16,
-             dropout=0.0)
 
 
 @pytest.fixture(scope="module", params=NAMES)
-def run(request, two_styles):
+def run(request, two_styles, small_run):
     """A model of `NAMES` after 70 steps or more; later tests of the same process do not know it."""
     runpy.run_path(str(EXAMPLES / f"{request.param.replace('-', '_')}.py"), run_name="own")
     steps = 90 if request.param == "gru" else 70
-    config = Config.quick(model=request.param, steps=steps, refit=5, sizes=TINY)
+    config = Config.quick(model=request.param, steps=steps, refit=5, sizes=small_run.model.sizes)
     yield tk.training.fit(two_styles, config)
     del registry._found[f"model.{request.param}"]
 

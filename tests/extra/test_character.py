@@ -147,10 +147,7 @@ def test_a_stage_draws_it_in_place_of_the_mannequin(hero, zombie):
 def test_a_texture_colours_the_vertices(tmp_path):
     """Multiplied by the material's colour; the first row of pixels is at v = 0."""
     doc = motion_files.Document([{"name": "hips", "mesh": 0, "skin": 0}], skins=[{"joints": [0]}])
-    points, shares = np.zeros((4, 3), np.float32), np.float32([[1, 0, 0, 0]] * 4)
-    attributes = {"POSITION": doc.add(points), "JOINTS_0": doc.add(np.zeros((4, 4), "u1")),
-                  "WEIGHTS_0": doc.add(shares)}
-    primitive = {"attributes": attributes}
+    primitive = {"attributes": doc.skinned(np.zeros((4, 3)))}
     doc.json["meshes"] = [{"primitives": [primitive]}]
     picture = io.BytesIO()
     Image.fromarray(np.uint8([[[255, 0, 0], [0, 0, 255]],
@@ -176,9 +173,7 @@ def test_each_skin_has_a_space_of_its_own(tmp_path):
         inverse[:, 3, 1] = [-1 - 0.5 * j - shift for j in joints]  # columns first
         doc.json["skins"].append({"joints": joints, "inverseBindMatrices": doc.add(
             inverse.reshape(-1, 16))})
-        attributes = {"POSITION": doc.add(points + np.float32([0, shift, 0])),
-                      "JOINTS_0": doc.add(np.zeros((3, 4), "u1")),
-                      "WEIGHTS_0": doc.add(np.float32([[1, 0, 0, 0]] * 3))}
+        attributes = doc.skinned(points + np.float32([0, shift, 0]))
         doc.json["meshes"].append({"primitives": [{"attributes": attributes}]})
     (tmp_path / "two.glb").write_bytes(doc.glb())
     made = gltf_mesh.read(tmp_path / "two.glb")

@@ -14,16 +14,10 @@ from refusal import refusal
 from torch.testing import assert_close
 
 import toolkit as tk
+from experiments.foreign import facing
 from toolkit.extra.formats import interpretation
 from toolkit.io.recording import Recording
-from toolkit.motion import root_frames, rotations as R
-
-
-def facing(clip: tk.Clip) -> float:
-    """Mean cosine between where the hips face and where they go."""
-    forward = R.rotate(root_frames(clip).rotations, torch.tensor([0.0, 0.0, 1.0]))[1:, ::2]
-    travel = clip.global_positions[:, clip.skeleton.role("hips")].diff(dim=0)[:, ::2]
-    return float(torch.nn.functional.cosine_similarity(forward, travel, dim=1).mean())
+from toolkit.motion import rotations as R
 
 
 def turned(clip: tk.Clip, *degrees: float) -> tk.Clip:

@@ -11,7 +11,7 @@ import pytest
 
 SOLUTION = re.compile(r"<summary>Solution</summary>\n\n```python\n(.*?)\n```\n\n?</details>", re.S)
 NOTEBOOKS = sorted((Path(__file__).parents[2] / "notebooks").glob("*.ipynb"))
-LONGEST, WIDEST = 15, 88  # lines of a code cell, characters of a line
+LONGEST = 15  # lines of a code cell
 #: First words of the cells that may define functions.
 MAY_DEFINE = "# exercise", "# by hand"
 
