@@ -5,7 +5,6 @@ import re
 import runpy
 from dataclasses import replace
 from pathlib import Path
-from unittest import mock
 
 import numpy as np
 import pytest
@@ -161,23 +160,6 @@ def step(onnxruntime, tmp_path_factory) -> Path:
     model, bank = tk.pretrained()
     tk.extra.engines.onnx.save(model, path, bank)
     return path
-
-
-def test_onnx_runtime_computes_the_embedded_model(onnxruntime, step):
-    """Over real states, one by one and 64 at once."""
-    session, (model, bank) = session_of(onnxruntime, step), tk.pretrained()
-    with mock.patch.object(model, "predict", wraps=model.predict) as predict:
-        list(tk.runtime.states(model, tk.runtime.straight(1.2, 0.2), bank.vectors[:8]))
-    asked = [call.args for call in predict.call_args_list]
-    x, phases, style = map(torch.cat, zip(*asked, strict=True))
-    for size in (1, 64):
-        batches = list(zip(*(v.split(size) for v in (x, phases, style)), strict=True))
-        ours, theirs = (torch.cat([f(*b) for b in batches]) for f in (model.predict,
-                                                                      lambda *b: run(session, *b)))
-        error = (theirs - ours) / model.outputs_std
-        assert error.square().mean().sqrt() < 1e-5
-        digit = 1.2e-7 * ours.abs() / model.outputs_std  # of a float32 in physical units
-        assert (error.abs() < 1e-4 + 2 * digit).all()
 
 
 def test_onnx_runtime_computes_a_model_with_a_global_phase(onnxruntime, tmp_path):
