@@ -58,18 +58,6 @@ def test_parameter_counts_are_those_of_table_2():
             assert row.style_as_printed == row.printed[1] == 2 * (256 * 25 + 25) + dense
 
 
-def test_blended_layer_equals_blending_every_samples_weights():
-    torch.manual_seed(1)
-    layer = BlendedLinear(5, 7, 6).double()
-    torch.nn.init.normal_(layer.bias)
-    x, gates = torch.randn(4, 7).double(), torch.softmax(torch.randn(4, 5).double(), -1)
-    got = layer(x, gates)
-    for n in range(4):
-        weight = sum(gates[n, k] * layer.weight[k] for k in range(5))
-        bias = sum(gates[n, k] * layer.bias[k] for k in range(5))
-        assert_close(got[n], x[n] @ weight + bias, rtol=1e-12, atol=1e-12)
-
-
 @pytest.mark.parametrize("layer", [0, 1])
 def test_film_equation(layer):
     torch.manual_seed(2)
