@@ -1,7 +1,6 @@
 """What tests share. The process that only hands tests out imports nothing slow from here."""
 
 import os
-from collections.abc import Iterator
 from pathlib import Path
 
 import compiled_runtime
@@ -120,33 +119,3 @@ def command(capsys):
         return capsys.readouterr()
 
     return run
-
-
-@pytest.fixture
-def unchanged(request, monkeypatch) -> Iterator[list]:
-    """What readers find in a test, what is guessed about it, and what is added, are what they were.
-    """
-    import unchanged as numbers
-
-    from toolkit.extra.formats import inspection, interpretation
-    from toolkit.io.recording import Recording
-
-    seen, made = [], Recording.__init__
-
-    def kept(self, *args, **options):
-        made(self, *args, **options)
-        seen.append(self)
-
-    def interpreted(*args, **options):
-        clip, found = interpret(*args, **options)
-        seen.append((clip.skeleton.offsets, clip.skeleton.roles, clip.root_positions,
-                     clip.rotations[:, 0], clip.fps, found))
-        return clip, found
-
-    interpret = interpretation.interpret
-    monkeypatch.setattr(Recording, "__init__", kept)
-    for module in (inspection, interpretation):
-        monkeypatch.setattr(module, "interpret", interpreted)
-    yield seen
-    if seen:
-        numbers.check(f"{request.path.stem}::{request.node.name}", seen)
