@@ -6,7 +6,6 @@ from hypothesis import given, strategies as st
 from torch.testing import assert_close
 
 from toolkit.motion import contacts, forward_kinematics, ik, rotations as R
-from toolkit.motion.springs import spring
 
 coordinate = st.floats(-2, 2, width=32)
 point = st.tuples(*[coordinate] * 3).map(lambda p: torch.tensor(p, dtype=torch.float64))
@@ -94,70 +93,6 @@ def test_two_bone_against_bisection(distance):
     assert_close(knee, middle, atol=1e-3 if reached > 0.84 else 1e-7, rtol=0)
 
 
-def held_slowly(toe, drift, before, predicted, raised, other, bears, was, contact, inwards, both,
-                seconds):
-    """`ik.foot_lock` of one toe."""
-    offset, behind = toe - before, toe - predicted
-    behind = behind * min(1.0, 0.3 / float(behind.norm()))
-    slowed = [False, False, False]
-    if contact > 0.5:
-        now, slowed = behind, [True, True, True]
-    else:
-        now, drift = spring(offset, drift, 10.0, seconds)
-        if contact > was and float(predicted[1]) < 0.04:
-            slowed = [True, False, True]
-            now[slowed] += 2 * contact * min(1.0, 2 * bears) * (behind - now)[slowed]
-    limit = max(0.08, float((other - predicted) @ inwards) / 4)
-    now = now - max(0.0, float(now @ inwards) - limit) * inwards
-    up = 0.02 - float((predicted + now)[1])  # to a ground at 2 cm
-    most = 0.04 * seconds if both else 0.0
-    allowed = 0.01 if up > 0 else 0.02 + 2 * max(raised, 0.0)
-    if (both or contact > 0.5) and abs(up) > allowed:
-        most += (abs(up) - allowed) * seconds / 0.2
-    now[1] += min(max(up, -most), most)
-    drift[slowed] = ((now - offset) / seconds)[slowed]
-    return predicted + now, drift
-
-
-def test_every_toe_of_a_crowd_is_held_as_in_a_slow_loop():
-    crowd, generator = 40, torch.Generator().manual_seed(40)
-    shape = {"dtype": torch.float64, "generator": generator}
-    before, predicted = torch.randn(2, crowd, 2, 3, **shape)
-    predicted = before + 0.02 * (predicted - before)
-    toes = before + 0.1 * torch.randn(crowd, 2, 3, **shape)
-    drift = torch.randn(crowd, 2, 3, **shape)
-    contacts = torch.rand(crowd, 2, **shape)
-    contacts[0, 0], contacts[-1, 1] = 0.5, 0.51  # as likely as not is no contact
-    contacts[::3] = 1.0
-    toes[::6, 0, 1] = 0.0201  # nearer than one frame goes
-    left = R.normalize(torch.randn(crowd, 2, **shape))
-    was = torch.rand(crowd, 2, **shape)
-    feet = toes, drift, before, predicted
-    raised = 0.05 * torch.randn(crowd, 2, **shape)
-    found, speeds = ik.foot_lock(*feet, was, contacts, left, 0.02, raised, 0.02)
-    for c in range(crowd):
-        for foot, sign in enumerate((1, -1)):
-            own = *(x[c, foot] for x in feet), float(raised[c, foot])
-            inwards = sign * torch.stack((left[c, 0], 0 * left[c, 0], left[c, 1]))
-            now = float(was[c, 1 - foot]), float(was[c, foot]), float(contacts[c, foot])
-            toe, speed = held_slowly(*own, predicted[c, 1 - foot], *now, inwards, c % 3 == 0, 0.02)
-            assert_close(found[c, foot], toe, atol=1e-12, rtol=0)
-            assert_close(speeds[c, foot], speed, atol=1e-9, rtol=0)
-
-
-def sunk_slowly(drop, speed, legs, seconds):
-    """`ik.sink` of one body; ``legs``: hip, ankle, length and contact of each."""
-    needs = []
-    for hip, ankle, length, contact in legs:
-        level = (0.99 * length) ** 2 - (hip[0] - ankle[0]) ** 2 - (hip[2] - ankle[2]) ** 2
-        lack, room = hip[1] - ankle[1] - math.sqrt(max(level, length**2 / 4)), 0.035 * length
-        lack = lack if lack > room else max(lack + room, 0.0) ** 2 / (4 * room)
-        needs.append(min(lack, 0.115 * length) * min(2 * contact, 1.0))
-    need = min(max(needs), drop + 0.6 * seconds)
-    free, slower = spring(*torch.tensor([drop - need, speed], dtype=torch.float64), 10.0, seconds)
-    return [need + float(free), float(slower)] if free > 0 else [need, (need - drop) / seconds]
-
-
 def test_a_foot_that_stands_keeps_its_direction():
     """Also a steep one that rolls; at most so far off the prediction, and back to it in the air."""
     steep = R.from_axis_angle(torch.tensor([1.0, 0.0, 0.0]), torch.tensor(1.2))
@@ -189,24 +124,6 @@ def test_an_ankle_in_the_air_passes_beside_the_other(where, contacts, moved):
                       torch.full((2,), 0.9), torch.tensor(contacts), 1 / 60)
     wanted = torch.tensor([[-moved[0]], [moved[1]]]) * left
     assert made - ankles == pytest.approx(wanted, abs=1e-6)
-
-
-def test_hips_sink_as_in_a_slow_loop():
-    """Legs that reach and legs that lack more than the hips may sink, in contact or not."""
-    draw = {"dtype": torch.float64, "generator": torch.Generator().manual_seed(0)}
-    hips, reach = torch.randn(200, 2, 3, **draw), torch.randn(200, 2, 3, **draw)
-    length = 0.5 + torch.rand(200, 2, **draw)
-    reach = R.normalize(reach * torch.tensor([0.4, 1.0, 0.4])) * length[..., None]
-    reach = reach * (0.8 + 0.4 * torch.rand(200, 2, 1, **draw))
-    ankles = hips - reach * reach[..., 1:2].sign()
-    contacts = torch.rand(200, 2, **draw)
-    drop = torch.randn(200, 2, **draw) * torch.tensor([0.03, 0.3])
-    found = ik.sink(drop, hips, ankles, length, contacts, 0.02)
-    for c in range(200):
-        legs = list(zip(*(x[c].tolist() for x in (hips, ankles, length, contacts)), strict=True))
-        slow = sunk_slowly(*drop[c].tolist(), legs, 0.02)
-        assert found[c].tolist() == pytest.approx(slow, abs=1e-9)
-    assert int((found[:, 0] > 0.03).sum()) > 20
 
 
 @pytest.fixture
