@@ -43,17 +43,6 @@ def test_a_knee_that_bends_backwards_is_mirrored_to_the_front(distance, swing, t
         assert_close(knee, before)
 
 
-def test_the_knee_of_a_nearly_straight_leg_does_not_turn_about_it():
-    """Thighs 2 % off a straight leg, to all sides; the leg bends by 43 degrees."""
-    turned = torch.linspace(-3.1, 3.1, 40, dtype=torch.float64)
-    bent = torch.stack((0.01 * turned.sin(), -0.43 + 0 * turned, 0.01 * turned.cos()), -1)
-    ankle, target = (HIP + torch.tensor([0.0, -y, 0.0]).double() for y in (0.86, 0.8))
-    left = torch.tensor([0.2, 0.0, 0.0]).double()
-    knee, _ = ik.two_bone(HIP, HIP + bent, ankle, target, left=left)
-    beside = R.normalize((knee - HIP)[:, [0, 2]])
-    assert beside[:, 1].min() > 0.95
-
-
 def test_two_bone_takes_any_leading_shape_and_degenerate_input():
     a, b, c = (x.float().expand(2, 5, 3) for x in (HIP, KNEE, ANKLE))
     target = torch.randn(2, 5, 3, generator=torch.Generator().manual_seed(0))
