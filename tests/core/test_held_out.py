@@ -5,12 +5,11 @@ from dataclasses import asdict, replace
 
 import pytest
 import torch
-import unchanged
 from refusal import refusal
 from test_training import QUICK, waves
 
 from experiments.seven_models import models
-from toolkit import networks, training
+from toolkit import training
 from toolkit.features import splits
 from toolkit.training.loss import BATCH, STEPS, refit
 
@@ -58,25 +57,6 @@ def test_a_fit_begins_with_steps_of_six_hundredths_of_the_deviation_between_styl
     assert float(gone) == pytest.approx(0.06 * apart, rel=1e-2)
     two = refit(run.model, bank, data, steps=2)  # the second step is half as long
     assert (two.vectors - bank.vectors).abs().max() < 1.6 * 0.06 * apart
-
-
-@pytest.mark.parametrize("name", networks.MODELS)
-def test_banks_errors_and_baselines_are_what_they_were(two_styles, name):
-    """Of each of the seven models, whose weights are drawn; all rows, some, and a part of them."""
-    torch.manual_seed(4)
-    sizes = networks.Sizes(hidden=16, experts=3, gating=8, film_channels=4, film_kernel=5,
-                           film_dense=8, rank=4, dropout=0.3)
-    config = training.Config.quick(model=name, sizes=sizes, steps=3, refit=0)
-    model = training.fit(two_styles, config).model
-    part = only(two_styles, "Zombie", "Neutral")
-    banks = [training.loss.make_bank(model, part, clips) for clips in (None, 1, 2)]
-    found = [vars(bank) for bank in banks]
-    found += [training.loss.evaluate(model, banks[0], part, n) for n in (None, 7)]
-    found += [training.loss.baselines(model, part)]
-    if name == "lpn-film":
-        fitted = [refit(model, banks[0], part), refit(model, banks[1], part, 4, 3, 0.0)]
-        found += [vars(bank) for bank in fitted]
-    unchanged.check(f"errors of {name}", found, near=1e-3)
 
 
 def test_vectors_are_fitted_by_default_but_not_of_older_files_nor_of_tables():
