@@ -52,20 +52,13 @@ desk
 """,
     "course.here('01')",
     """
-from course.style_blender import StyleBlender
-def most(blend):
-    return clip.cut(0, 2).replace(style=max(blend, key=blend.get))
-StyleBlender(planted.select(["Neutral", "Zombie"]), most, size=(160, 120))
-""",
-    """
-control = other = None
+control = None
 async def probe():
     while True:
         now = {"playing": player.playing, "scene": desk.scene}
-        if other:
+        if control:
             now |= {"root": control.state.root[0].tolist(), "weights": control.weights,
-                    "other": other.frames, "frames": control.frames,
-                    "recording": control.recording}
+                    "frames": control.frames, "recording": control.recording}
         pathlib.Path("probe.tmp").write_text(json.dumps(now))
         pathlib.Path("probe.tmp").rename("probe.json")
         await asyncio.sleep(0.1)
@@ -76,17 +69,8 @@ control = tk.view.Controller(tk.runtime.compile(model), planted)
 control.size = [240, 180]
 control
 """,
-    """
-pack = tk.view.Controller.send  # a second one, as of a model with one phase for the whole body
-def send(self, content, buffers=None):
-    pack(self, content, buffers and [buffers[0][:-28] if self is other else buffers[0]])
-tk.view.Controller.send, other = send, None
-other = tk.view.Controller(tk.runtime.compile(model), planted)
-other.size = [240, 180]
-other
-""",
 ]
-CONTROL = 7  # the cell of the first controller
+CONTROL = 6  # the cell of the controller
 RUN = """async ([index, which]) => {
     const { content, sessionContext } = jupyterapp.shell.currentWidget;
     await sessionContext.ready;
@@ -113,7 +97,6 @@ AT_REST = """async (elements) => {
 LATE = """const timeout = AbortSignal.timeout.bind(AbortSignal);
 let widgets = 0;
 AbortSignal.timeout = (ms) => timeout(ms === 2000 && widgets++ % 2 ? 0 : ms);"""
-CLEAR = "(i) => jupyterapp.shell.currentWidget.content.widgets[i].model.outputs.clear()"
 
 
 @pytest.fixture
@@ -169,12 +152,10 @@ def test_widgets_in_jupyterlab(browser, lab, tmp_path):
         styles_are_picked(page)
         clips_play(page, kernel)
         shots_reach_the_kernel(page, kernel)
-        a_blend_is_shown(page)
-        # Controllers take the kernel's time, and the page's.
+        # A controller takes the kernel's time, and the page's.
         assert page.evaluate(RUN, [CONTROL, "below"]) == ""
         kernel(lambda now: "root" in now)
         steered(page, kernel)
-        no_dials_and_no_frames_without_a_view(page, kernel)
         assert page.locator(".jp-OutputArea svg[role=img]").count() > 0  # the map of the course
         # Nothing that looks like HTML ran or became an element.
         assert page.evaluate("() => typeof hacked") == "undefined"
@@ -198,37 +179,21 @@ def test_widgets_in_jupyterlab(browser, lab, tmp_path):
 
 def steered(page, kernel) -> None:
     """Keys, the marker and the button that records reach the kernel; more is in test_web.py."""
-    stage = page.locator(".tkc-stage").first
+    stage = page.locator(".tkc-stage")
     stage.scroll_into_view_if_needed()
     before = kernel(lambda p: p["frames"] > 10)["root"]
-    page.locator(".tkc-record").first.click()
+    page.locator(".tkc-record").click()
     kernel(lambda p: p["recording"])
     stage.focus()
     page.keyboard.down("w")
     kernel(lambda p: p["root"][1] - before[1] > 0.5)
     page.keyboard.up("w")
-    triangle = page.locator(".tkc .tk-triangle svg").first
+    triangle = page.locator(".tkc .tk-triangle svg")
     triangle.scroll_into_view_if_needed()
     drag(page, middle(triangle, 0, 17), middle(triangle, 70, 59))
     kernel(lambda p: p["weights"][1] > 0.7)
-    page.locator(".tkc-record").first.click()
+    page.locator(".tkc-record").click()
     kernel(lambda p: not p["recording"])
-
-
-def no_dials_and_no_frames_without_a_view(page, kernel) -> None:
-    """The second controller's model has no local phases; cleared, it makes no frames."""
-    count = kernel(lambda p: p["other"] > 10)["other"]
-    assert page.locator(".tkc-dials").nth(1).is_hidden()
-    assert page.locator(".tkc-dials").first.is_visible()
-    page.evaluate(CLEAR, CONTROL + 1)
-    page.wait_for_function("() => document.querySelectorAll('.tkc').length === 1")
-    counts = [count, -1]
-
-    def still(now) -> bool:
-        counts.append(now["other"])
-        return len(counts) > 12 and len(set(counts[-10:])) == 1
-
-    kernel(still)
 
 
 def styles_are_picked(page) -> None:
@@ -268,16 +233,6 @@ def clips_play(page, kernel) -> None:
     kernel(lambda p: not p["playing"])
     assert page.locator(".tk-still").count() > 0
     assert page.locator(".tk-still:visible").count() == 0
-
-
-def a_blend_is_shown(page) -> None:
-    """The marker of a triangle is dragged to a corner: the motion follows it."""
-    cell = page.locator(".jp-Cell").nth(5)
-    triangle = cell.locator(".tk-triangle svg")
-    triangle.scroll_into_view_if_needed()
-    assert cell.locator(".tkv-label", has_text="Neutral").count() == 1
-    drag(page, middle(triangle, 0, 40), middle(triangle, 70, 59))
-    cell.locator(".tkv-label", has_text="Zombie").wait_for()
 
 
 def shots_reach_the_kernel(page, kernel) -> None:
