@@ -1,6 +1,3 @@
-import sys
-from types import SimpleNamespace
-
 import pytest
 
 from toolkit.io.progress import progress_bar
@@ -38,10 +35,3 @@ def test_a_bar_that_is_updated_by_hand_counts_once(capsys, clock):
     assert 4 <= len(shown) <= 8
     assert "100%" in shown[-1]
     assert len(set(shown)) == len(shown)
-
-
-def test_a_notebook_gets_the_bar_of_notebooks(capsys, monkeypatch):
-    shell = SimpleNamespace(kernel=object())
-    monkeypatch.setitem(sys.modules, "IPython", SimpleNamespace(get_ipython=lambda: shell))
-    monkeypatch.setattr("tqdm.auto.tqdm", lambda *_, **options: options)
-    assert progress_bar(range(3), desc="train") == {"desc": "train"}

@@ -28,11 +28,6 @@ def ran(monkeypatch):
     return ran
 
 
-def test_every_example_is_run_here():
-    names = {path.name for path in EXAMPLES.glob("*.py")}
-    assert names == {"own_phase_source.py", "own_model.py", "gym_loop.py", "blender_link.py"}
-
-
 def test_own_phase_source_on_procedural_clips_and_on_own_files(ran, tmp_path, walk_clip):
     found = ran("own_phase_source.py")
     assert len(found["errors"]) == 3

@@ -93,11 +93,6 @@ def test_a_description_of_more_than_16_megabytes_is_refused_before_it_is_parsed(
         Recogniser.load(path)
 
 
-def test_a_rollout_without_end_is_refused_before_it_starts(command):
-    said = command("rollout --style Neutral --out never.bvh --seconds 1e7", status=2).err
-    assert "--seconds" in said
-
-
 PLANTED = ("<img src=x onerror=window.hacked=1>", "</script><script>window.hacked=1</script>",
            "<!--<script>", "$\\frac$", "a%{x}b")
 
