@@ -95,6 +95,13 @@ def test_a_foot_that_stands_keeps_its_direction():
     assert turned == pytest.approx([free, (free + ik.SWIVEL) / 2], abs=1e-5)
 
 
+def test_hips_do_not_sink_to_an_ankle_that_is_a_leg_ahead():
+    """Half of the leg's length is the least height that the hips keep above it."""
+    hips, ankles = torch.zeros(2, 3), torch.tensor([[0.0, -0.4, 0.88], [0.0, -0.8, 0.0]])
+    sunk = ik.sink(torch.zeros(2), hips, ankles, torch.full((2,), 0.9), torch.ones(2), 1 / 60)
+    assert sunk.tolist() == [0.0, 0.0]
+
+
 @pytest.mark.parametrize(("where", "contacts", "moved"), [
     ((0.02, 0.0), (1.0, 0.0), (0.0, 0.025)),  # 4.5 cm of a leg of 90
     ((0.02, 0.13), (0.0, 1.0), (0.025, 0.0)),

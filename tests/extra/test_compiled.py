@@ -85,7 +85,7 @@ def drawn(state):
         velocity=apart(0.0, 0.02, 0.08, 0.2, 1.0, 3.0) * look,
         asked=some(2, scale=0.5), drive=apart(0.0, 0.1, 1.0, 5.0, 9.9), facing=look,
         aside=apart(-0.99, 0.0, 0.2), rest=apart(0.0, 0.03, 0.5, 0.97, 1.0, 1.0, 1.0),
-        contacts=(0.5 + some(2, scale=0.4)).clamp(0.0, 1.0), drop=some(2, scale=0.03),
+        contacts=(0.5 + some(2)).clamp(0.0, 1.0), drop=some(2, scale=0.03),
         toes=state.toes + apart(0.05, 0.05, 0.5)[..., None] * some(2, 3),
         drift=some(2, 3, scale=0.2), swivel=some(2, scale=0.2),
         phase=state.phase * (1 + some(1, scale=0.3)),
