@@ -27,7 +27,6 @@ def test_mutated_inputs_are_read_or_refused_in_one_line(readers, target):
     tally = fuzz.fuzz(readers[target], 36, seed=1)
     assert not tally.failures
     assert tally.counts["refused"] > 1
-    assert tally.counts["deep"]
 
 
 def chain(joints: int, channels: str = "") -> str:
