@@ -2,7 +2,6 @@
 input.
 """
 
-import json
 import re
 import shutil
 import subprocess
@@ -88,18 +87,11 @@ def test_conda_environment_equals_the_dev_installation(project):
     }
 
 
-def test_every_dependency_is_pinned_by_version_and_hashes(project):
+def test_every_dependency_is_pinned(project):
     text = "".join((REPOSITORY / f"constraints{of}.txt").read_text(encoding="utf-8")
                    for of in ("", "-cpu", "-cuda"))
-    hashes = r"(?: \\\n    --hash=sha256:[0-9a-f]{64})+"
-    assert not re.sub(rf"^[\w.-]+==\S+(?: ; [^\\\n]+)?{hashes}\n", "", text, flags=re.MULTILINE)
     pins = dict(re.findall(r"^([\w.-]+)==([^\s+]+)", text, flags=re.MULTILINE))
     assert text.count(f"\ntorch=={pins['torch']}") == 2  # with CUDA and without: one version
-    made = (REPOSITORY / "Makefile").read_text(encoding="utf-8")
-    assert "HASHED := $(INSTALL) --require-hashes --requirement" in made
-    assert not re.search(r"INSTALL\).*constraints", made)  # torch neither
-    lock = json.loads((REPOSITORY / "toolkit/view/scene/package-lock.json").read_bytes())
-    assert all("integrity" in of for name, of in lock["packages"].items() if name)  # `npm ci`
     pinned = {re.sub(r"[-_.]+", "-", name.lower()): number for name, number in pins.items()}
     for name, bound in requirements(project, "dev").items():
         wanted, got = (tuple(int(n) for n in number.split(".")[:2])
