@@ -8,7 +8,6 @@ import dataclasses
 import functools
 import hashlib
 import importlib
-import json
 import multiprocessing
 import os
 import random
@@ -16,7 +15,6 @@ import re
 import resource
 import shutil
 import signal
-import subprocess
 import sys
 import tempfile
 import time
@@ -25,7 +23,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from multiprocessing.process import BaseProcess
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 from unittest import mock
 
 import typer
@@ -37,34 +35,6 @@ JOBS = {"fetch": "`data fetch` (from a local server)", "preprocess": "`preproces
         "export": "export: `.bvh`, `.html`, `.glb`, `.onnx`, page"}
 FORK = multiprocessing.get_context("fork")  # Linux and macOS have it
 SMALL = 50_000  # bytes, largest file on the "full" disk
-NOBODY = 65534  # id of the user who owns nothing
-#: What a process does on an odd machine; it ends with the JSON text of the exit statuses.
-COMMANDS = """
-import json, pathlib, sys
-from toolkit.__main__ import main
-statuses = []
-for words in (
-    "rollout --style Zombie --seconds 1 --out walk.bvh",
-    "rollout --style Zombie --seconds 1 --out walk.glb",
-    "rollout --style Zombie --seconds 1 --out walk.html",
-    "rollout --style Zombie --seconds 1 --out walk.png",
-    "inspect walk.bvh",
-    "stylize --clip walk.bvh --domain Old --out old.bvh",
-    f"preprocess --data 100style --root {sys.argv[1]} --out store --workers 1",
-    "train --data store --small --epochs 0.05 --refit 0 --out run.safetensors",
-    "rollout --model run.safetensors --style ProceduralNeutral --seconds 1 --out own.bvh",
-):
-    statuses.append(main(words.split()))
-left = [str(path) for path in pathlib.Path().rglob(".*.partial")]
-assert not left or sys.argv[2] != "1", left  # another process may still write
-print(json.dumps(statuses))
-"""
-#: A clock that goes back an hour at every second look.
-BACK = """
-import itertools, time
-now, looks = time.time, itertools.count()
-time.time = lambda: now() - 3600 * (next(looks) % 2)
-"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,16 +88,11 @@ def run(
     seed: Annotated[int, typer.Option(help="Seed of the times.")] = 0,
     only: Annotated[str | None,
                     typer.Option(help=f"Jobs: {', '.join(JOBS)}; default: all.")] = None,
-    odd: Annotated[bool, typer.Option(
-        "--odd", help="Odd machines in place of kills: little memory, no home and more.")] = False,
     store: Store = False,
 ) -> None:
     """Files of jobs after kills and other faults, compared with those of undisturbed runs; exit
     status 1 if they differ.
     """
-    if odd:
-        _odd(store)
-        return
     chosen = [*JOBS] if only is None else only.split(",")
     if unknown := [name for name in chosen if name not in JOBS]:
         raise ValueError(f"unknown job {unknown[0]!r}; known: {', '.join(JOBS)}")
@@ -204,28 +169,18 @@ def refused(job: Job, base: Path, fault: Callable[[Path], None]) -> str:
     return ", ".join(wrong)
 
 
-def limit(kind: int, most: int) -> None:
-    """Take no more of a resource; a file that grows beyond it is an error, and no signal."""
-    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-    resource.setrlimit(kind, (most, most))
-
-
-def keep(rights: int) -> None:
-    """Give up all capabilities of root but these bits."""
-    libc = ctypes.CDLL(None)
-    if hasattr(libc, "capset"):
-        libc.capset((ctypes.c_uint32 * 2)(0x20080522, 0), (ctypes.c_uint32 * 6)(*[rights] * 3))
-
-
 def full_disk(_: Path) -> None:
-    """Files are limited to `SMALL` bytes."""
-    limit(resource.RLIMIT_FSIZE, SMALL)
+    """Files are limited to `SMALL` bytes; one that grows beyond is an error, and no signal."""
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (SMALL, SMALL))
 
 
 def read_only(folder: Path) -> None:
-    """Nothing can be written into the folder, not even by root."""
+    """Nothing can be written into the folder, not even by root, who gives up all capabilities."""
     folder.chmod(0o555)
-    keep(0)
+    libc = ctypes.CDLL(None)
+    if hasattr(libc, "capset"):
+        libc.capset((ctypes.c_uint32 * 2)(0x20080522, 0), (ctypes.c_uint32 * 6)())
 
 
 def _bad(job: Job, folder: Path, reference: dict[str, object]) -> tuple[list[str], list[str]]:
@@ -286,116 +241,6 @@ def finish(work: Callable[[Path], object], folder: Path) -> None:
     status, said = ended(start(work, folder), folder)
     if status:
         raise ValueError(f"an undisturbed run failed: {said[-500:]}")
-
-
-# Odd machines ----------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class Machine:
-    """A machine on which commands run: its name, variables of its environment (None: it lacks
-    one), what a process does before it starts there, and how many run at once.
-    """
-
-    name: str
-    environment: dict[str, str | None] = field(default_factory=dict)
-    before: Callable[[], object] = int
-    copies: int = 1
-
-
-def machines(folder: Path) -> list[Machine]:
-    """The odd machines; ``folder`` takes the module of the clock that goes back."""
-    def nobody() -> None:
-        """Another user, who may read all files: Python itself may be in root's home."""
-        libc = ctypes.CDLL(None)
-        libc.prctl(8, 1, 0, 0, 0)  # keeps capabilities
-        os.setgroups([])
-        os.setgid(NOBODY)
-        os.setuid(NOBODY)
-        keep(1 << 2)  # CAP_DAC_READ_SEARCH
-        libc.prctl(47, 2, 2, 0, 0)  # also in a new program
-
-    def small_disk() -> None:
-        """A disk of its own over the working folder, which no other process sees."""
-        libc, here = ctypes.CDLL(None), os.getcwd()
-        libc.unshare(0x20000)  # CLONE_NEWNS
-        libc.mount(None, b"/", None, 0x44000, None)  # MS_REC | MS_PRIVATE
-        if libc.mount(b"none", here.encode(), b"tmpfs", 0, b"size=200k"):
-            raise OSError("no disk can be mounted")
-        os.chdir(here)
-
-    bare = {"LC_ALL": "C", "LANG": None, "HOME": None, "DISPLAY": None, "XDG_CACHE_HOME": None}
-    (folder / "sitecustomize.py").write_text(BACK, encoding="utf-8")
-    path = os.pathsep.join((str(folder), os.environ.get("PYTHONPATH", "")))
-    found = [
-        Machine("3 GB of memory", before=functools.partial(limit, resource.RLIMIT_AS, 3 << 30)),
-        Machine("24 open files", before=functools.partial(limit, resource.RLIMIT_NOFILE, 24)),
-        Machine("files of at most 200 kB",
-                before=functools.partial(limit, resource.RLIMIT_FSIZE, 200_000)),
-        Machine("C locale, no home, no display", bare),
-        Machine("compiled code cannot be stored", {"NUMBA_CACHE_DIR": "/proc/none"}),
-        Machine("OMP_NUM_THREADS=-3", {"OMP_NUM_THREADS": "-3"}),
-        Machine("clock goes back", {"PYTHONPATH": path}),
-        Machine("two processes on the same files", copies=2),
-    ]
-    if hasattr(os, "sched_setaffinity"):
-        found.append(Machine("one core", before=lambda: os.sched_setaffinity(0, {0})))
-    if not os.getuid():
-        found += [Machine("another user, read-only install", bare, nobody),
-                  Machine("disk of 200 kB", before=small_disk)]
-    return found
-
-
-def tried(machine: Machine, folder: Path, data: Path) -> dict[str, Any]:
-    """How many commands worked and were refused on a machine, and what is wrong."""
-    folder.mkdir()
-    folder.chmod(0o777)
-    changed = {"PYTHONPATH": os.pathsep.join(sys.path)} | machine.environment
-    environment = {k: v for k, v in (os.environ | changed).items() if v is not None}
-    running = [subprocess.Popen([sys.executable, "-c", COMMANDS, str(data),
-                                 str(machine.copies)], cwd=folder, env=environment,
-                                preexec_fn=machine.before, stdout=subprocess.PIPE,
-                                stderr=subprocess.PIPE)
-               for _ in range(machine.copies)]
-    row = {"machine": machine.name, "worked": 0, "refused": 0, "said": "", "wrong": ""}
-    for process in running:
-        out, said = (text.decode(errors="replace").replace(f"{folder}/", "")
-                     for text in process.communicate(timeout=900))
-        lines = [line for line in said.splitlines() if line.startswith("error: ")]
-        try:
-            statuses = json.loads(out.splitlines()[-1])
-        except (IndexError, ValueError):
-            statuses, said = [], f"{said} Traceback: ended with status {process.returncode}"
-        row["worked"] += statuses.count(0)
-        row["refused"] += statuses.count(2)
-        row["said"] = row["said"] or "; ".join(dict.fromkeys(line[7:107] for line in lines))
-        if "Traceback" in said or len(lines) != len(statuses) - statuses.count(0):
-            row["wrong"] += said[-300:]
-    if left := [path.name for path in folder.rglob(".*.partial")]:
-        row["wrong"] += f" left: {', '.join(left)}"
-    return row
-
-
-def _odd(store: bool) -> None:
-    from toolkit.datasets import procedural
-
-    with tempfile.TemporaryDirectory() as made:
-        base = Path(made)
-        base.chmod(0o755)
-        finish(lambda _: procedural.write(base / "data", ["Neutral", "Zombie"], ["FW"], 6.0),
-               base / "data")
-        rows = []
-        for number, machine in enumerate(machines(base)):
-            rows.append(tried(machine, base / str(number), base / "data"))
-            print(rows[-1], flush=True)
-    columns = {"machine": ["machine"], "worked": ["commands that worked", 0],
-               "refused": ["refused in one line", 0], "said": ["what the first refusals said"],
-               "wrong": ["wrong"]}
-    if store:
-        Result("machines", "Nine commands in one process on odd machines.",
-               "python -m experiments faults --odd --store", columns, rows).save()
-    if any(row["wrong"] for row in rows):
-        raise typer.Exit(1)
 
 
 # The jobs --------------------------------------------------------------------------------------
