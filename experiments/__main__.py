@@ -21,7 +21,7 @@ EXPERIMENTS = {
                     "two methods (Table 2)."),
     "stylization-rotation": experiments.command("experiments.stylization.rotation"),
     **{name: experiments.command(f"robustness.{name.replace('-', '_')}")
-       for name in ("soak", "fuzz", "faults", "memory")},
+       for name in ("soak", "fuzz", "faults")},
 }
 app = verbs.group(EXPERIMENTS, experiments.__doc__)
 
