@@ -199,19 +199,3 @@ def test_formulas_of_a_page_have_no_command_that_the_site_cannot_draw(page):
     for formula in re.findall(r"\$\$.+?\$\$|\$[^$\n]+\$", text, re.DOTALL):
         drawn = html.unescape(convert(formula.strip("$").strip()))
         assert "\\" not in drawn, formula
-
-
-@pytest.mark.parametrize("page", PAGES, ids=lambda path: path.stem)
-def test_links_of_a_page_lead_to_files_and_headings(page):
-    text = re.sub(r"^```.*?^```", "", page.read_text(encoding="utf-8"),
-                  flags=re.MULTILINE | re.DOTALL)
-    for link in re.findall(r"\]\(([^)\s]+)\)", text):
-        if re.match(r"[a-z]+:", link) or link == "api/index":
-            continue
-        file, _, heading = link.partition("#")
-        target = (page.parent / file) if file else page
-        assert target.exists(), link
-        if heading and target.suffix == ".md":
-            titles = re.findall(r"^#+ (.+)$", target.read_text(encoding="utf-8"), re.MULTILINE)
-            assert html.unescape(heading) in {re.sub(r"[^\w\- ]", "", t.lower()).replace(" ", "-")
-                                              for t in titles}, link
