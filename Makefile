@@ -65,7 +65,7 @@ types: env
 	$(BIN)/mypy
 
 cases: env  # three processes for two cores: each waits now and then for a kernel, a browser or a command
-	$(BIN)/python -m pytest --numprocesses 3 --dist loadfile --no-loadscope-reorder --nbval-lax --nbval-current-env --nbval-cell-timeout 120 tests notebooks
+	$(BIN)/python -m pytest --numprocesses 3 --dist loadfile --no-loadscope-reorder --nbval-lax --nbval-current-env --nbval-cell-timeout 120 notebooks tests
 
 coverage: env
 	mkdir -p out/coverage

@@ -20,7 +20,7 @@ EXPERIMENTS = {
                     "The losses of Park et al. 2021 (Table 1), and their stylizer compared with "
                     "two methods (Table 2)."),
     "stylization-rotation": experiments.command("experiments.stylization.rotation"),
-    **{name: experiments.command(f"robustness.{name}") for name in ("fuzz", "faults")},
+    "fuzz": experiments.command("robustness.fuzz"),
 }
 app = verbs.group(EXPERIMENTS, experiments.__doc__)
 

@@ -7,12 +7,10 @@ import itertools
 import os
 import re
 import socket
-import sys
 
 import nbformat
 import nbval.kernel
 from jupyter_client.connect import LocalPortCache
-from jupyter_client.provisioning import local_provisioner
 
 for name, value in {
     "PYVISTA_OFF_SCREEN": "true",
@@ -25,11 +23,6 @@ for name, value in {
 
 #: nbval formats each message for a log that nobody reads, and some have megabytes of pictures.
 nbval.kernel.pformat = len
-
-if sys.platform == "linux":
-    import forked_kernel
-
-    local_provisioner.launch_kernel = forked_kernel.launch
 
 #: Ports of a test process's kernels. The system gives a free port of its own range to others again
 #: before the kernel has it, and then the kernel dies.

@@ -12,24 +12,7 @@ import toolkit as tk
 settings.register_profile("repeatable", derandomize=True, deadline=None, max_examples=25,
                           database=None)
 settings.load_profile("repeatable")
-#: Files that take longer than ten seconds, the longest first.
-SLOW = ("test_shots", "test_styles", "test_docs", "test_export", "test_training", "test_package",
-        "test_store", "test_exercises", "test_runtime", "test_report", "test_own_models",
-        "test_stylization")
 os.environ.setdefault("OMP_NUM_THREADS", "1")  # small tensors: more threads only wait
-
-
-def pytest_collection_modifyitems(items):
-    """What takes longest comes first, so that no process waits for another at the end."""
-    def turn(item) -> int:
-        path = item.path
-        if path.suffix == ".ipynb":
-            return 0
-        if path.parent.name == "browser":
-            return 1
-        return 2 + (SLOW.index(path.stem) if path.stem in SLOW else len(SLOW))
-
-    items.sort(key=turn)
 
 
 def pytest_collection_finish(session):
@@ -37,18 +20,6 @@ def pytest_collection_finish(session):
     if hasattr(session.config, "workerinput"):
         compiled_runtime.fit()
         compiled_runtime.read()
-
-
-@pytest.hookimpl(optionalhook=True)
-def pytest_xdist_make_scheduler(config, log):
-    """A process takes a whole file, and one takes all notebooks (`forked_kernel`)."""
-    from xdist.scheduler import LoadFileScheduling
-
-    class Files(LoadFileScheduling):
-        def _split_scope(self, nodeid: str) -> str:
-            return "notebooks" if ".ipynb::" in nodeid else super()._split_scope(nodeid)
-
-    return Files(config, log)
 
 
 @pytest.fixture(scope="session")
