@@ -22,7 +22,8 @@ __getattr__, __dir__, __all__ = lazy_loader.attach(
     [module.name for module in pkgutil.iter_modules(__path__)],
     {
         "checks": ["Exercise", "Verdict", "check", "claim", "exercises_of", "learnt"],
-        "pages": ["SYMBOLS", "blind", "film", "show", "steer", "switch", "symbols", "two_bone"],
+        "pages": ["SYMBOLS", "ahead", "blind", "film", "show", "steer", "switch", "symbols",
+                  "two_bone"],
         "phase_pictures": ["phase_figure", "principal_axes"],
         "sequence": ["LESSONS", "Lesson", "here"]
     },

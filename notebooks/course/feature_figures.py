@@ -13,7 +13,7 @@ from torch import Tensor
 
 from toolkit import features
 from toolkit.features import Layout
-from toolkit.motion import Clip, Skeleton
+from toolkit.motion import Clip, Skeleton, local_rotations
 from toolkit.motion.trajectory import SAMPLES
 from toolkit.view.render.mannequin import COLORS, CONTACT, PALETTE
 
@@ -183,6 +183,19 @@ def skeleton(known: Skeleton) -> go.Figure:
     )
 
 
+def simplified(clip: Clip) -> Clip:
+    """The clip on a skeleton without collars, upper spine and end sites."""
+    known = clip.skeleton
+    keep = [j for j, n in enumerate(known.names) if not n.endswith(("Collar", "End"))
+            and n not in ("Chest", "Chest2", "Chest3")]
+    above = [next((a for a in known.tree.up(j)[1:] if a in keep), 0) for j in keep]
+    offsets = known.rest_positions[keep] - known.rest_positions[above]
+    parents = [-1] + [keep.index(a) for a in above[1:]]
+    simple = Skeleton([known.names[j] for j in keep], parents, offsets)
+    local = local_rotations(simple, clip.global_rotations[:, keep])
+    return clip.replace(skeleton=simple, rotations=local)
+
+
 def changes(values: Mapping[str, float]) -> go.Figure:
     """Largest change of each block after the clip was moved, on a logarithmic axis."""
     figure = go.Figure(
@@ -194,7 +207,7 @@ def changes(values: Mapping[str, float]) -> go.Figure:
     return finish(
         figure,
         "After the clip was moved and turned",
-        320,
+        420,
         {
             "type": "log", "title": "largest change of a number, in the block's own unit",
             "exponentformat": "power"
@@ -245,7 +258,7 @@ def contacts(
             )
         figure.update_yaxes(title=label, row=i, col=1)
     figure.update_xaxes(title="seconds", row=2, col=1)
-    return finish(figure, "Left toe: contact where both curves are below their limits", 420, {}, {})
+    return finish(figure, "Left toe: low and slow, then a vote of neighbouring frames", 420, {}, {})
 
 
 def footprints(clip: Clip, stands: Tensor) -> go.Figure:

@@ -4,6 +4,7 @@ Plotly with its code once a notebook, and pages of the 3D scene in a frame.
 """
 
 import json
+import math
 import tempfile
 from base64 import b64encode
 from collections.abc import Mapping
@@ -15,7 +16,7 @@ import plotly.io as pio
 from plotly.io.base_renderers import MimetypeRenderer
 from plotly.offline import get_plotlyjs
 
-from toolkit.motion import Clip, root_frames
+from toolkit.motion import Clip, root_frames, trajectory
 from toolkit.view.frontend import embed
 from toolkit.view.pages import live_page, page
 
@@ -112,6 +113,12 @@ def film(
     with tempfile.TemporaryDirectory() as folder:
         path = page.html(clips, Path(folder, "film.html"), title=title, caption=caption, **options)
         return show(path.read_text(encoding="utf-8"), height)
+
+
+def ahead(clip: Clip) -> Clip:
+    """The clip, turned so that its first frame looks ahead."""
+    sine, cosine = trajectory.heading(root_frames(clip).rotations[0])
+    return clip.moved(turn=-math.atan2(sine, cosine))
 
 
 def steer(
