@@ -63,7 +63,7 @@ def choose(made: NewStyles, clip: Clip, *, rounds: int = ROUNDS, seed: int = 0,
     At first this is a vector of the training. The error one step ahead, by which the training went,
     does not say how it walks. So it is trained on by its walk, in up to ``rounds`` rounds of
     `toolkit.styles.closed_loop`, until its excess is at most `ENOUGH`. The best round counts. If
-    it is no better than before, or not good, so many rounds follow at a lower rate.
+    none is better than before, so many rounds follow at a lower rate.
 
     The clip should be a walk (`not_a_walk`). ValueError if several styles were learnt at once.
     """
@@ -91,8 +91,7 @@ def _in_closed_loop(made: NewStyles, clip: Clip, bank: StyleBank, compared: Comp
 
     first = compared
     for rate in RATES:
-        done = compared.excess <= ENOUGH or (compared is not first and compared.verdict == "good")
-        if not rounds or done:
+        if not rounds or compared.excess <= ENOUGH or compared is not first:
             break
         vector = bank[name]
         loop = ClosedLoop(model, middle, vector, prior, rate, rounds, seed)
