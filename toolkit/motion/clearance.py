@@ -9,12 +9,12 @@ from toolkit.motion.roles import SIDES
 from toolkit.motion.skeleton import local_rotations
 
 POINTS = 6  # of a bone, between which distances are measured
-# Metres that forearms keep from the axes of trunk and thighs. In 99.9 % of the frames of recorded
-# walks they are a little less away at least (`toolkit.evaluation.findings.LIMITS`).
+# Metres that forearms keep from the axes of trunk and thighs. Recorded people, too, are seldom much
+# nearer (`toolkit.evaluation.findings.LIMITS`).
 TRUNK, THIGH = 0.085, 0.065
 DROP = 0.1  # metres below the shoulder from which turning the arm moves a point well aside
 WIDEST = 1.0  # radians by which an arm is turned at most
-EASE = 0.2  # seconds in which a correction comes and goes
+EASE = 0.2  # seconds: half of the time in which a correction comes, and goes
 ROUNDS = 2  # the turned arm moves on an arc, not straight
 
 
@@ -44,7 +44,7 @@ def arms_out(clip: Clip, trunk_gap: float = TRUNK, thigh_gap: float = THIGH) -> 
 
     Both arms turn about the shoulder, sideways, by the least angle that brings all points of the
     forearm as far as the gaps (metres) from the axes of trunk and thighs. Before and after such a
-    moment the angle grows and falls within `EASE`.
+    moment the angle grows and falls within twice `EASE`.
     """
     skeleton = clip.skeleton
     points, places = limbs(clip), clip.global_positions.double()
@@ -79,7 +79,7 @@ def _lack(points: Tensor, others: Tensor, outwards: Tensor, gap: float) -> Tenso
 
 
 def covering(need: Tensor, fps: float) -> Tensor:
-    """The smooth curve ``[F]`` that is nowhere below ``need [F]``, and 0 beyond `EASE` of it."""
+    """A smooth curve ``[F]``, nowhere below ``need [F]``; 0 farther than twice `EASE` from it."""
     from scipy.ndimage import gaussian_filter1d, maximum_filter1d  # a live character needs none
 
     reach = max(1, round(EASE * fps))

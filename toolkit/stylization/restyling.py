@@ -147,12 +147,12 @@ def lock_feet(clip: Clip, source: Clip) -> Clip:
     # how far the hips must go down, so that legs reach
     hip, knee, ankle, toe = (made[:, skeleton.both(part)] for part in LEG)
     reach = STRETCH * ((knee - hip).norm(dim=-1) + (ankle - knee).norm(dim=-1))
-    soles = soles * ((toe - ankle).norm(dim=-1) / soles.norm(dim=-1))[..., None]
+    soles = R.normalize(soles) * (toe - ankle).norm(dim=-1, keepdim=True)
     apart = hip - (targets - soles)
     height = (reach.square() - apart[..., level].square().sum(-1)).clamp_min(0.0).sqrt()
     root = clip.root_positions.clone()
     root[:, 1] -= covering((apart[..., 1] - height).amax(1).clamp_max(DEEPEST), clip.fps)
-    rotations = plant_feet(skeleton, clip.rotations, root, targets, soles)
+    rotations = plant_feet(skeleton, clip.rotations, root, targets, soles if feet != toes else None)
     return clip.replace(rotations=rotations, root_positions=root)
 
 
