@@ -129,7 +129,7 @@ def measured(net, bank: StyleBank, track: str, seed: int = 0) -> list[dict[str, 
         pace = torch.tensor([[bank.speed(name)] for name in bank.names])
     style = alive(bank.vectors, net.life if track == "alive" else 0.0, seed)
     walks = walked(net, style, track, pace)
-    return [_measures(net, walk, track, float(p)) for walk, p in zip(walks, pace, strict=True)]
+    return [measures_of(net, walk, track, float(p)) for walk, p in zip(walks, pace, strict=True)]
 
 
 def walked(net, style, track: str, pace: Tensor) -> list[dict[str, Tensor]]:
@@ -159,7 +159,7 @@ def unlocked(net, old: CharacterState, new: CharacterState) -> Tensor:
     return new.toes - (old.toes - predicted_toes(net.layout, old)) - new.drift / FPS
 
 
-def _measures(net, walk: dict[str, Tensor], track: str, pace: float) -> dict[str, float]:
+def measures_of(net, walk: dict[str, Tensor], track: str, pace: float) -> dict[str, float]:
     """The measures of a track for one character."""
     first, half = round(WARM_UP * FPS), FPS // 4
     contact, roots, raw = walk["contacts"], walk["root"][:, :2], walk["raw"]

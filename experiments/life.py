@@ -6,7 +6,7 @@ from unittest import mock
 import torch
 from torch import Tensor
 
-from experiments.closed_loop import MISBEHAVES, _measures, walked
+from experiments.closed_loop import MISBEHAVES, measures_of, walked
 from experiments.tables import Result, Store
 from toolkit import published, runtime
 from toolkit.cli import verbs
@@ -28,19 +28,18 @@ def run(parameters: verbs.Published, store: Store = False) -> None:
         scales = life.alive(vectors.roll(-quarter, -1), net.life)(frame).roll(quarter, -1)
         return shifts(frame) + scales - vectors
 
-    shifts = life.alive(vectors, net.life)
-    rows = []
-    for name, style, period in (("none", vectors, 60), ("life", shifts, 60),
+    shifts, rows = life.alive(vectors, net.life), []
+    for name, style, period in (("none", vectors, life.PERIOD), ("life", shifts, life.PERIOD),
                                 ("new numbers in each frame", life.alive(vectors, net.life), 1),
-                                ("scales as well", whole, 60)):
+                                ("scales as well", whole, life.PERIOD)):
         with mock.patch.object(life, "PERIOD", period):
             walks = walked(fast, style, "alive", pace)
-        found = [_measures(net, *one) for one in zip(
-            walks, ["alive"] * len(walks), pace[:, 0].tolist(), strict=True)]
-        table = {key: torch.tensor([row[key] for row in found]) for key in SHOWN}
-        rows.append({"noise": name} | {key: float(values.mean() if key == "found"
-                                                 else values.median())
-                                       for key, values in table.items()})
+        found = [measures_of(net, walk, "alive", float(p))
+                 for walk, p in zip(walks, pace, strict=True)]
+        middle = {key: torch.tensor([row[key] for row in found]).median() for key in SHOWN}
+        share = sum(row["found"] for row in found) / len(found)
+        rows.append({"noise": name} | {key: float(x) for key, x in middle.items()}
+                    | {"found": share})
     columns = {"noise": ["noise"]} | {key: [title, 2] for key, title in SHOWN.items()}
     Result("life", f"Natural walks of {len(bank)} published styles, one seed: medians, and the "
                    "mean share of seconds", "python -m experiments life --published FOLDER --store",

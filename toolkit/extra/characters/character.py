@@ -101,10 +101,10 @@ class Character:
 
     @cached_property
     def gaps(self) -> tuple[float, float]:
-        """Metres that forearms keep from the axes of trunk and thighs: half of the two thicknesses.
+        """Metres that forearms keep from the axes of trunk and thighs: the radii of arm and body.
 
-        Each thickness is the median over the vertices that a joint moves most. Flesh gives way by
-        `SOFT`. A thin character keeps what people keep (`toolkit.motion.clearance`).
+        A radius is the median distance from the axis, of the vertices that the part's joints move
+        most. Flesh gives way by `SOFT`. A thin character keeps what people keep (`toolkit.motion.clearance`).
         """
         skeleton, points = self.skeleton, limbs(self.rest)
         mine = self.mesh.joints[np.arange(len(self.points)), self.mesh.weights.argmax(1)]
@@ -112,12 +112,13 @@ class Character:
         for part, end in (("hip", "knee"), ("elbow", "hand")):
             axes = [points[f"{side}_{end}"] for side in SIDES]
             around[part] = skeleton.both(part), torch.cat(axes, 1)
-        half = {}
+        radii = {}
         for part, (joints, axis) in around.items():
             flesh = torch.from_numpy(self.points[np.isin(mine, joints)]).to(axis)
-            half[part] = float(torch.cdist(flesh, axis[0]).amin(1).nanmedian()) if len(flesh) else 0
-        arm = half["elbow"] - SOFT
-        return max(TRUNK, half["trunk"] + arm), max(THIGH, half["hip"] + arm)
+            apart = torch.cdist(flesh, axis[0]).amin(1)
+            radii[part] = float(apart.median()) if len(flesh) else 0.0
+        arm = radii["elbow"] - SOFT
+        return max(TRUNK, radii["trunk"] + arm), max(THIGH, radii["hip"] + arm)
 
     @cached_property
     def skin(self) -> Skin:

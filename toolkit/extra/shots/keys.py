@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import MISSING, dataclass, fields
 from itertools import pairwise
 
 from toolkit.extra.shots.following import EASINGS, LONGEST
@@ -188,13 +188,18 @@ def entries(values, kind: type, what: str) -> tuple:
 
 def build(kind: type, value):
     """An object of a kind from a dictionary of its fields, or from a list of the first ones."""
+    known = [field.name for field in fields(kind)]
     if isinstance(value, str) or not isinstance(value, Mapping | Sequence):
         raise ValueError(f"expected the fields of a {kind.__name__}, got {shown(value)}")
     if not isinstance(value, Mapping):
-        return kind(*value)
-    known = [field.name for field in fields(kind)]
+        if len(value) > len(known):
+            raise ValueError(f"{len(value)} fields, a {kind.__name__} has {', '.join(known)}")
+        value = dict(zip(known, value, strict=False))
     if unknown := [key for key in value if key not in known]:
         raise ValueError(f"unknown field {shown(unknown[0])}; known: {', '.join(sorted(known))}")
+    for field in fields(kind):
+        if field.default is MISSING and field.name not in value:
+            raise ValueError(f"the field {field.name} is missing")
     return kind(**value)
 
 
