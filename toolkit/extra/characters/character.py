@@ -104,7 +104,8 @@ class Character:
         """Metres that forearms keep from the axes of trunk and thighs: the radii of arm and body.
 
         A radius is the median distance from the axis, of the vertices that the part's joints move
-        most. Flesh gives way by `SOFT`. A thin character keeps what people keep (`toolkit.motion.clearance`).
+        most. Flesh gives way by `SOFT`. A thin character keeps what people keep
+        (`toolkit.motion.clearance`).
         """
         skeleton, points = self.skeleton, limbs(self.rest)
         mine = self.mesh.joints[np.arange(len(self.points)), self.mesh.weights.argmax(1)]
