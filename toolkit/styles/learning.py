@@ -35,7 +35,8 @@ def learn(model: Predictor, bank: StyleBank, clips: Sequence[Clip], name: str, *
 
     Long standing ends of the clips are cut (`comparison.walking`). The ways are the default of
     `fine_tune`, the same with the mirror images of the clips, and, for a model that has its FiLM
-    generator, the style vector alone. The best vector is then trained in closed loop, see `choose`.
+    generator, the style vector alone. The best vector is then trained in closed loop, see `choose`;
+    the other ways' vectors, too, as long as none is good.
 
     Parameters and errors are those of `fine_tune` and `choose`.
     """
@@ -50,10 +51,14 @@ def learn(model: Predictor, bank: StyleBank, clips: Sequence[Clip], name: str, *
         tried.append(Learnt(made, *choose(made, longest, rounds=0), mirror="mirror" in way))
         if tried[-1].compared.verdict == "good":
             break
-    best = min(tried, key=lambda one: one.compared.rank())
-    bank, compared = _in_closed_loop(best.made, longest, best.bank, best.compared, ROUNDS, seed,
-                                     progress)
-    return replace(best, bank=bank, compared=compared)
+    ended: list[Learnt] = []
+    for one in sorted(tried, key=lambda one: one.compared.rank()):
+        bank, compared = _in_closed_loop(one.made, longest, one.bank, one.compared, ROUNDS, seed,
+                                         progress)
+        ended.append(replace(one, bank=bank, compared=compared))
+        if compared.verdict == "good":
+            break
+    return min(ended, key=lambda one: one.compared.rank())
 
 
 def choose(made: NewStyles, clip: Clip, *, rounds: int = ROUNDS, seed: int = 0,

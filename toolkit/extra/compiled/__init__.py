@@ -143,8 +143,8 @@ class CompiledModel:
                 tensor = tensor.detach()
             array = np.ascontiguousarray(tensor.numpy(), np.float32)
             # shapes are numpy's, as asking torch takes longer
-            rows, *columns = array.shape
-            if tuple(columns) != shape or (rows != count and (name, rows) != ("style", 1)):
+            right = array.shape[1:] == shape
+            if not right or (len(array) != count and (name, len(array)) != ("style", 1)):
                 raise ValueError(f"{name} needs {' x '.join(map(str, shape))} columns and a row "
                                  f"for each of {count} characters, got shape {list(array.shape)}")
             arrays.append(array)

@@ -162,7 +162,10 @@ def predict(x, phases, style, weights, z):
         count, vectors = len(x[some]), style[some] if len(style) > 1 else style
         # torch's memory starts at a cache line; elsewhere the products might round in another order
         gates = torch.empty(count, len(weights.gating.biases[2])).numpy()
-        scaled = [torch.empty(count, weight.shape[1]) for weight in weights.experts]
+        # the inputs of all layers lie in the same memory, which stays in the cache
+        widths = [weight.shape[1] for weight in weights.experts]
+        room = torch.empty(count * max(widths))
+        scaled = [room[: count * width].view(count, width) for width in widths]
         gate(x[some], phases[some], weights.gating, gates, scaled[0].numpy())
         for layer in range(2):
             y = _product(scaled[layer], layer, weights)
