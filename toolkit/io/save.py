@@ -65,7 +65,7 @@ def figure_of(given: Any) -> Any:
 
 def save(clip: Clip, path: str | os.PathLike, *, title: str = "", source: Clip | None = None,
          progress: bool = False, character: Any = None) -> None:
-    """Write a clip as motion (.bvh, .glb), web page (.html), strip of poses (.png) or film.
+    """Write a clip as motion (.bvh, .glb, .npz, .usdc), page (.html), strip (.png) or film.
 
     Missing folders are made.
 

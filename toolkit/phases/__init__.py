@@ -29,7 +29,7 @@ __all__ = [
     "normalise", "smooth", "windows",
 ]
 
-#: Sources of the papers: functions that make them. Add-ons register others as ``source.NAME``
+#: The paper's sources and ours: functions that make them. Add-ons register others as ``source.NAME``
 #: (`toolkit.registry`).
 SOURCES: dict[str, Callable[[], Source]] = {
     "hybrid": Hybrid, "contact": Contact, "contact-free": ContactFree, "velocity": Velocity}

@@ -62,7 +62,8 @@ class Contact:
     """The 0/1 foot contact (section 4.1.2). Hands have none: their curve and feature are 0.
 
     ``height`` and ``speed`` are the limits of `toolkit.motion.contacts.detect`; with the height 0
-    a toe stands up to 1 cm above the floor, as in the paper.
+    a toe stands up to 1 cm above the floor, as in the paper. Departure: by default the limit of the
+    height follows from the clip, and contacts always pass a majority vote.
     """
 
     height: float | None = None
@@ -136,11 +137,13 @@ class Velocity(ContactFree):
 
 @dataclass(frozen=True)
 class Hybrid:
-    """Contacts for feet that touch the floor, contact-free for the other limbs (section 4.1.3).
+    """Contacts for feet that touch the floor, contact-free for the other limbs (sections 4.1.1,
+    4.1.4).
 
     Departure from the paper: the contacts are those of `Steps`, and a foot's phase follows from the
     middles of its stances and swings (`toolkit.phases.steps.signal`) instead of a sinusoid fitted
-    to them. In a regular walk both are the same. `Contact` is the paper's source.
+    to them. In a regular walk both are the same. `Contact(height=0.0)` has the
+    paper's limits.
     """
 
     contact_free: ContactFree = field(default_factory=ContactFree)

@@ -121,7 +121,11 @@ class StyleEncoder(nn.Module):
 
 
 class MappingNetwork(nn.Module):
-    """Mapping network F (Table 3c, equation 6): a style code of a domain from random noise."""
+    """Mapping network F (Table 3c, equation 6): a style code of a domain from random noise.
+
+    Departure: Table 3c has a ReLU before the tanh, with which no number of a code is negative. The
+    published code does not have it.
+    """
 
     def __init__(self, sizes: Sizes, domains: int):
         super().__init__()

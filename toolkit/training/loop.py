@@ -70,7 +70,7 @@ def fit(data: Features, config: Config | None = None,
     data
         Features; a share is held out and never trained on.
     config
-        Training settings; by default those of the paper.
+        Training settings; by default those of the paper, but for `refit`.
     checkpoint, resume
         File for the state of the run, written at intervals and on an interrupt; whether to resume
         from it if it exists.

@@ -40,7 +40,8 @@ def fmd(recogniser: Recogniser, clips: Sequence[Clip], real: Sequence[Clip],
 
     The FID of Heusel et al. 2017, on motions: `frechet_distance` of the recogniser's features of
     windows of one second: of all, or of so many of the clips, evenly spread. Compare only values of
-    the same recogniser and number of windows.
+    the same recogniser and number of windows. Departure: it is a recogniser of styles; Park et al.
+    take one of contents.
     """
     made = _windows(recogniser, clips)
     if windows is not None:

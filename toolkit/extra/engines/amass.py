@@ -19,7 +19,8 @@ SHAPES = 16  # numbers of the body's shape, zeros: the mean
 def write(clip: Clip, path: Path, *, character, **_) -> None:
     """Write ``poses [F, 156]``, ``trans [F, 3]``, ``betas``, ``gender`` and ``mocap_framerate``.
 
-    The clip is put on a skeleton with legs as long as those of SMPL's mean body (`npz.MEAN`).
+    The clip is put on a skeleton with legs as long as those of SMPL's mean body (`npz.MEAN`): path
+    and speed are scaled with them.
     Metres and rotation vectors; z is up, as in AMASS. The body is there twice: AMASS's SMPL-X files
     name it ``root_orient [F, 3]`` and ``pose_body [F, 63]``, and the rate ``mocap_frame_rate``.
     ``trans`` is the pelvis less its place in SMPL's template, known to about a centimetre. That of

@@ -42,8 +42,9 @@ JOINTS = ("posed_joints", "joints", "positions", "new_joints", "joints3d", "moti
 VECTORS = ("new_joint_vecs", "vectors", "motion", "arr_0")
 PLACES = ("trans", "transl", "translation")
 NAMED = "parent_indices"  # in a file whose joints have names of their own
+KIMODO = "global_rot_mats"  # in the files of Kimodo, which do not name their rate
 WANTED = {"poses", "root_orient", "pose_body", "global_orient", "body_pose", "Jtr", "betas", NAMED,
-          *RATES, *JOINTS, *VECTORS, *PLACES}
+          KIMODO, *RATES, *JOINTS, *VECTORS, *PLACES}
 WIDTHS = (66, 72, 156, 165)  # of poses: SMPL-H's body, SMPL, SMPL-H and SMPL-X with hands
 COUNTS = {22: 22, 24: 24, 52: 22, 55: 22}  # joints of HumanML3D, SMPL, -H, -X: how many are read
 
@@ -100,7 +101,8 @@ def read(path: str | os.PathLike) -> Recording:
             shape = arrays[name].shape if name in arrays else ()
             if len(shape) == 3 and shape[1] in COUNTS and shape[2] == 3:
                 doubts: list[str] = []
-                rate = _rate(arrays, humanml3d.FPS, ", as in HumanML3D", doubts)
+                usual = (30.0, "Kimodo") if KIMODO in arrays else (humanml3d.FPS, "HumanML3D")
+                rate = _rate(arrays, *usual, doubts)
                 joints = _tensor(arrays, name)[:, : COUNTS[shape[1]]]
                 return _fitted(joints, "joint positions", rate, doubts)
         held = ", ".join(f"{name} {list(array.shape)}" for name, array in arrays.items())
@@ -214,7 +216,8 @@ def _rate(arrays: Mapping[str, np.ndarray], usual: float, whose: str, doubts: li
             if not 0 < rate < LARGEST:
                 raise ValueError(f"{name} should be frames per second, got {rate:g}")
             return rate
-    doubts.append(f"the file has no frame rate; {usual:g} Hz was assumed{whose}")
+    like = f", as in {whose}" if whose else ""
+    doubts.append(f"the file has no frame rate; {usual:g} Hz was assumed{like}")
     return usual
 
 
