@@ -29,7 +29,7 @@ __all__ = [
     "normalise", "smooth", "windows",
 ]
 
-#: The paper's sources and ours: functions that make them. Add-ons register others as ``source.NAME``
+#: The paper's sources and ours: functions that make them. Add-ons register more as ``source.NAME``
 #: (`toolkit.registry`).
 SOURCES: dict[str, Callable[[], Source]] = {
     "hybrid": Hybrid, "contact": Contact, "contact-free": ContactFree, "velocity": Velocity}
