@@ -165,9 +165,10 @@ def fetch(name: str, root: str | os.PathLike | None = None,
     """
     origin, folder = find(name), Path(root or home.folder(name)).absolute()
     source = str(source or origin.url)
-    if styles is not None and name != "100style":
-        raise ValueError(f"single styles are fetched of 100style, not of {name}")
-    styles = [styles] if isinstance(styles, str) else styles and list(styles)
+    if styles is not None:
+        styles = [styles] if isinstance(styles, str) else list(styles)
+        if name != "100style" or not styles:
+            raise ValueError(f"single styles are fetched of 100style, not of {name}; got {styles}")
     folder.parent.mkdir(parents=True, exist_ok=True)
     work, lock = (folder.with_name(f".{folder.name}.{kind}") for kind in ("fetch", "lock"))
     try:

@@ -73,7 +73,7 @@ def truth(style: str | Style, gait: str = "FW", seconds: float = 8.0, seed: int 
     check_names([gait], GAITS, "gait", "procedural")
     frames = round(seconds * FPS) if path is None else len(path)
     if frames < 2:
-        raise ValueError(f"a clip needs at least two frames, got {seconds} seconds")
+        raise ValueError(f"a clip needs at least two frames, got {frames}")
     rng = np.random.default_rng([seed, zlib.crc32(f"{label} {gait}".encode())])
     if path is None:
         root = _random_path(style, gait, frames, rng)

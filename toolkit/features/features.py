@@ -244,6 +244,8 @@ def build(clips: Clip | Iterable[Clip], *, source: str | phases.Source = "hybrid
     clips = [clips] if isinstance(clips, Clip) else list(clips)
     if not clips:
         raise ValueError("no clips to build features from")
+    if short not in ("raise", "skip"):
+        raise ValueError(f"short is raise or skip, got {short!r}")
     by_style = recordings(enumerate(clips), source=source, mirror=mirror, short=short,
                           samples=samples, progress=progress)
     found: dict[str, dict[str, Tensor]] = defaultdict(dict)

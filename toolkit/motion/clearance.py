@@ -1,5 +1,6 @@
 """Trunk and limbs as points on the axes of their bones, and arms that keep clear of the body."""
 
+import numpy as np
 import torch
 from torch import Tensor
 
@@ -7,6 +8,7 @@ from toolkit.motion import rotations as R
 from toolkit.motion.clip import Clip
 from toolkit.motion.roles import SIDES
 from toolkit.motion.skeleton import local_rotations
+from toolkit.motion.tensors import through_numpy
 
 POINTS = 6  # of a bone, between which distances are measured
 # Metres that forearms keep from the axes of trunk and thighs. Recorded people, too, are seldom much
@@ -42,9 +44,9 @@ def _points(a: Tensor, b: Tensor) -> Tensor:
 def arms_out(clip: Clip, trunk_gap: float = TRUNK, thigh_gap: float = THIGH) -> Clip:
     """The clip with arms turned away from the body where a forearm is in its trunk or thighs.
 
-    Both arms turn about the shoulder, sideways, by the least angle that brings all points of the
-    forearm as far as the gaps (metres) from the axes of trunk and thighs. Before and after such a
-    moment the angle grows and falls within twice `EASE`.
+    Both arms turn about the shoulder, sideways, by about the angle (at most `WIDEST`) that brings
+    all points of the forearm as far as the gaps (metres) from the axes of trunk and thighs. Before
+    and after such a moment the angle grows and falls within twice `EASE`.
     """
     skeleton = clip.skeleton
     points, places = limbs(clip), clip.global_positions.double()
@@ -63,7 +65,7 @@ def arms_out(clip: Clip, trunk_gap: float = TRUNK, thigh_gap: float = THIGH) -> 
                 break
             drop = (places[:, None, shoulder, 1] - arm[..., 1]).clamp_min(DROP)
             angle = covering((lack / drop).amax(1).clamp_max(WIDEST), clip.fps)
-            turn = R.from_axis_angle(torch.linalg.cross(down, outwards), angle).float()
+            turn = R.from_axis_angle(torch.linalg.cross(down, outwards), angle).to(clip.rotations)
             turned = clip.global_rotations.clone()
             turned[:, below] = R.normalize(R.multiply(turn[:, None], turned[:, below]))
             clip = clip.replace(rotations=local_rotations(skeleton, turned))
@@ -73,16 +75,21 @@ def arms_out(clip: Clip, trunk_gap: float = TRUNK, thigh_gap: float = THIGH) -> 
 def _lack(points: Tensor, others: Tensor, outwards: Tensor, gap: float) -> Tensor:
     """How far points ``[F, N, 3]`` must go ``outwards [F, 3]`` to be ``gap`` from all others."""
     apart = points[:, :, None] - others[:, None]
-    aside = (apart * outwards[:, None, None]).sum(-1)
-    beside = apart.square().sum(-1) - aside.square()  # squared distance of the line outwards
-    return ((gap**2 - beside).clamp_min(0.0).sqrt() - aside).where(beside < gap**2, 0.0).amax(2)
+    along = (apart * outwards[:, None, None]).sum(-1)
+    across = apart.square().sum(-1) - along.square()  # squared, from the line outwards
+    # outwards, a point leaves the ball of radius ``gap`` where along² = gap² - across
+    lack = (gap**2 - across).clamp_min(0.0).sqrt() - along
+    return lack.where(across < gap**2, 0.0).amax(2)
 
 
 def covering(need: Tensor, fps: float) -> Tensor:
     """A smooth curve ``[F]``, nowhere below ``need [F]``; 0 farther than twice `EASE` from it."""
-    from scipy.ndimage import gaussian_filter1d, maximum_filter1d  # a live character needs none
+    import scipy.ndimage  # a live character needs none
 
-    reach = max(1, round(EASE * fps))
-    high = maximum_filter1d(need.clamp_min(0.0).numpy(), 2 * reach + 1, mode="nearest")
-    smooth = gaussian_filter1d(high, reach / 2, mode="nearest", radius=reach)
-    return torch.from_numpy(smooth)
+    reach, filters = max(1, round(EASE * fps)), scipy.ndimage
+
+    def smooth(curve: np.ndarray) -> np.ndarray:
+        high = filters.maximum_filter1d(curve, 2 * reach + 1, mode="nearest")
+        return filters.gaussian_filter1d(high, reach / 2, mode="nearest", radius=reach)
+
+    return through_numpy(smooth, need.clamp_min(0.0))

@@ -1,7 +1,6 @@
 """Clip: a motion of a skeleton. Metres, seconds, Y up; every operation returns a new object."""
 
 import dataclasses
-import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -121,7 +120,7 @@ class Clip:
 
     def resample(self, fps: float) -> "Clip":
         """The same motion at another rate, see `toolkit.motion.tensors.at_rate`."""
-        if not (fps > 0 and math.isfinite(fps)):
+        if not 0 < fps <= FASTEST:
             raise ValueError(f"{self.name}: cannot resample to {fps} frames per second")
         if fps == self.fps or len(self) < 2:
             return self.replace(fps=fps)
@@ -169,13 +168,15 @@ class Clip:
 def frame_reflections(skeleton: Skeleton, mean: Tensor) -> Tensor:
     """Reflections ``[J, 3, 3]`` of joints' frames onto their counterparts', for one in x = 0.
 
-    Rigs differ in which of a joint's axes points sideways. The reflection S of a joint minimises
+    Rigs differ in which of a joint's axes points sideways. The reflection S of a joint should map
+    each bone b below it to the counterpart's b', and its mean local rotation R (``mean [J, 3, 3]``)
+    to the counterpart's: S_parent R Sᵀ = R'. Of the reflections of one axis or of all three, we
+    take that with the least
 
-        Σ ‖S b − b'‖² / (1 cm)² − tr(Sᵀ M),   M = mean'ᵀ S_parent mean
+        Σ ‖S b − b'‖² / (1 cm)² − tr(Sᵀ M),   M = R'ᵀ S_parent R.
 
-    over the bones b below the joint and b' below its counterpart, and the mean local rotations
-    ``mean [J, 3, 3]`` of both. We try the reflections of one and of all three axes. If none maps
-    the bones, S is the best orthogonal matrix (Procrustes).
+    If it does not map the bones (`ASKEW`), S is the best orthogonal matrix (Procrustes), for which
+    bones weigh about 500 times as much.
     """
     if mean.is_meta:
         return torch.empty_like(mean)
@@ -189,8 +190,8 @@ def frame_reflections(skeleton: Skeleton, mean: Tensor) -> Tensor:
             continue
         below = [k for k in skeleton.tree.children[j] if skeleton.parents[pairs[k]] == pairs[j]]
         here, there = offsets[below], offsets[[pairs[k] for k in below]]
-        above = choices[0] if p < 0 else own[p]
-        rotation = mean[pairs[j]].T @ above @ mean[j]  # M
+        of_parent = choices[0] if p < 0 else own[p]
+        rotation = mean[pairs[j]].T @ of_parent @ mean[j]  # M
 
         # A reflection of axes, if it maps the bones.
         misfit = (here @ choices.mT - there).square().sum((-2, -1)) / 0.01**2
@@ -201,8 +202,8 @@ def frame_reflections(skeleton: Skeleton, mean: Tensor) -> Tensor:
             own[j] = choices[best]
             continue
 
-        # Else the nearest reflection; 3 cm of bones weigh 10,000 times as much as the means. That
-        # of a joint without a counterpart is its own inverse: a reflection in a plane.
+        # Else the nearest orthogonal matrix. That of a joint without a counterpart is its own
+        # inverse: a reflection in a plane.
         target = rotation + there.T @ here / 0.0003**2
         if pairs[j] == j:
             normal = torch.linalg.eigh(target + target.T).eigenvectors[:, 0]

@@ -1,7 +1,7 @@
 """Inverse kinematics of legs and arms, and the foot lock. Tensors of any leading shape.
 
-A frame of a character uses them in this order: `foot_lock` says where the toes should be,
-`hold_feet` where the feet should point, `solve_legs` bends the predicted legs towards them, and
+A frame of a character uses them in this order: `hold_feet` says where the feet should point,
+`foot_lock` where the toes should be, `solve_legs` bends the predicted legs towards them, and
 lets the hips `sink` where a leg is too short. For a drawn pose, `swivelled`, `turn_arms` and
 `plant_feet` turn bones of a skeleton.
 """
@@ -21,7 +21,7 @@ LEG = *CHAINS["leg"], "toe"  # parts of a leg
 # Shares of a leg's length over which it stretches more and more slowly: with its toe in contact,
 # and in the air, where a knee that is nearly straight would move too fast.
 SOFT, SWING = 0.01, 0.03
-STRAIGHT = 0.1  # sine of the angle below which a thigh says less and less where the knee goes
+STRAIGHT = 0.1  # sine of the angle of thigh and leg below which the knee is drawn to the front
 NEAR = 0.08  # metres that a locked toe may always be off its prediction towards the other toe
 SLACK = 0.3  # metres that a locked toe may stay behind its prediction
 RETURN = 10.0  # per second: decay of a released toe's offset from its prediction, and of the hips'
@@ -101,24 +101,27 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, wa
               seconds: float) -> tuple[Tensor, Tensor]:
     """Lock toes in contact where they landed (foot-contact IK, Mason et al. 2022, section 4.4).
 
-    The paper does not say how its toes get their targets; this rule is ours. A blend of the last
-    position and the prediction, weighted by contact, lets a toe slide in each frame where the
-    weight is below 1. We lock a toe fully, in three dimensions, while its contact is above one
-    half. After that, its offset from the prediction decays like a critically damped spring that
-    starts at rest, so that the toe does not jump. A toe that lands, low and with a contact that
-    grows, while the other one was in contact, is already slowed down by twice these contacts: else
-    it slides until it is locked. The offset of a toe is at most `SLACK`, and its
-    part towards the other toe at most a quarter of their distance or `NEAR`, so that the legs do
-    not cross when a character turns on the spot. Toes land at the heights that the network
-    predicts, in turns up to 5 cm over the ground. While both are in contact, their heights go to
-    the ground. Any locked toe goes there while it is more than `UNEVEN` over it or `SUNK` below,
-    but there are walks on the heels: it may be as high as a heel on the ground has it.
+    The paper does not say how its toes get their targets; this rule is ours. (A blend of the last
+    position and the prediction, weighted by contact, slides where the weight is below 1.)
+
+    - A toe in contact (above one half) is locked in three dimensions, `SLACK` from its prediction
+      at most.
+    - A released toe starts from rest: its offset from the prediction decays like a critically
+      damped spring.
+    - A toe that lands (low, with growing contact, the other one in contact) is slowed down before
+      it is locked, by twice both contacts.
+    - Towards the other toe, an offset is at most a quarter of their distance, or `NEAR` if this is
+      more, so that the legs do not cross in a turn on the spot.
+    - The network lets toes land up to 5 cm over the ground. With both in contact they settle. One
+      locked toe settles only where it is `SUNK` under the ground or `UNEVEN` over it; a walk on
+      the heels may hold it as high as a foot that stands on its heel does.
 
     Parameters
     ----------
     toes : Tensor [..., 2, 3], targets in the frame before, right and left, world, metres
     drift : Tensor [..., 2, 3], velocity of their offset from the predictions, m/s
-    before, predicted : Tensor [..., 2, 3], the network's toes in the frame before and in this one
+    before : Tensor [..., 2, 3], toes of the pose that was fed back, after IK, in the frame before
+    predicted : Tensor [..., 2, 3], the network's toes in this one
     was, contacts : Tensor [..., 2], in the frame before and in this one, in [0, 1]
     left : Tensor [..., 2], unit vector (x, z) to the character's left
     ground : height of a standing toe, metres
@@ -141,20 +144,19 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, wa
     now = torch.lerp(free, behind, share)
 
     # The legs do not cross: an offset goes only so far towards the other toe.
-    level = torch.stack((left[..., 0], torch.zeros_like(left[..., 0]), left[..., 1]), -1)
-    inwards = torch.stack((level, -level), -2)
+    left = torch.stack((left[..., 0], torch.zeros_like(left[..., 0]), left[..., 1]), -1)
+    inwards = torch.stack((left, -left), -2)  # of the right toe, of the left toe
     apart = ((predicted.flip(-2) - predicted) * inwards).sum(-1, keepdim=True)
     crossing = (now * inwards).sum(-1, keepdim=True) - (apart / 4).clamp_min(NEAR)
     now = now - crossing.clamp_min(0.0) * inwards
 
-    # Toes that are too high or too low settle: of a body on both feet, and a locked one far off.
+    # Toes settle: of a body on both feet, and a locked one that is far too high or too low.
     both = (contacts.amin(-1, keepdim=True) > BOTH)[..., None]
-    down = (ground - predicted - now)[..., 1:2]
-    high = -down - UNEVEN - HEEL * raised[..., None].clamp_min(0.0)
-    far = torch.maximum(high, down - SUNK).clamp_min(0.0) * (both | held)
+    rise = (ground - predicted - now)[..., 1:2]  # to the ground; negative: the toe is above it
+    high = -rise - UNEVEN - HEEL * raised[..., None].clamp_min(0.0)
+    far = torch.maximum(high, rise - SUNK).clamp_min(0.0) * (both | held)
     most = (SETTLE * both.to(far) + far / LEVEL) * seconds
-    down = down.clamp(-most, most)
-    now = now + torch.nn.functional.pad(down, (1, 1))
+    now = now + torch.nn.functional.pad(rise.clamp(-most, most), (1, 1))
     return predicted + now, torch.where(share > 0, (now - offset) / seconds, slower)
 
 
@@ -162,10 +164,10 @@ def hold_feet(swivel: Tensor, before: Tensor, predicted: Tensor, contacts: Tenso
               seconds: float) -> Tensor:
     """Angles ``[..., 2]`` about the vertical that keep feet which stand as they were.
 
-    A network turns feet with the body, also a foot that bears it, whose heel then sweeps about its
-    locked toe. A foot in contact keeps its direction, at most `SWIVEL` off the prediction; in the
-    air, the angle decays with `RETURN`. The network gets back ankles that belong to it, but the
-    rotations that it predicted. This rule is ours as well.
+    The network turns both feet with the body. The heel of a standing foot then sweeps around its
+    locked toe. So a foot in contact keeps its direction, at most `SWIVEL` off the prediction; in
+    the air the angle decays with `RETURN`. The ankles that are fed back follow it, the rotations
+    that are fed back are the predicted ones. This rule is ours as well.
 
     Parameters
     ----------
@@ -176,6 +178,7 @@ def hold_feet(swivel: Tensor, before: Tensor, predicted: Tensor, contacts: Tenso
     """
     change = R.multiply(predicted, R.inverse(before))
     w, y = change[..., 0], change[..., 2]
+    # 2 atan2(y, w) is the turn about the vertical since the frame before: undo it
     held = (swivel - 2 * torch.atan2(y * w.sign(), w.abs())).clamp(-SWIVEL, SWIVEL)
     return torch.lerp(math.exp(-RETURN * seconds) * swivel, held, (2 * contacts).clamp_max(1.0))
 

@@ -108,11 +108,7 @@ class Skeleton:
 
     def is_end(self, joint: int) -> bool:
         """Whether a point is an End Site."""
-        return self.names[joint] in self._ends
-
-    @cached_property
-    def _ends(self) -> frozenset[str]:
-        return frozenset(self.ends)
+        return self.names[joint] in self.ends
 
     def end_site(self, role: str) -> int:
         """Index of the End Site below the joint with a role; the joint itself if it has none.

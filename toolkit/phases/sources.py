@@ -33,11 +33,12 @@ def local_positions(clip: Clip, limb: str) -> Tensor:
     """
     skeleton = clip.skeleton
     hips = skeleton.role("hips")
-    if limb.endswith("hand"):
+    if limb in LIMBS[:2]:
         end = skeleton.end_site(limb)
+    elif limb in LIMBS:
+        end = skeleton.role(limb.replace("_foot", "_toe"))
     else:
-        part = limb.replace("_foot", "_toe")
-        end = skeleton.role(part) if part in skeleton.roles else skeleton.index(part)
+        end = skeleton.role(limb) if limb in skeleton.roles else skeleton.index(limb)
     reach = clip.global_positions[:, end] - clip.global_positions[:, hips]
     return R.rotate(R.inverse(clip.global_rotations[:, hips]), reach)
 
@@ -71,7 +72,7 @@ class Contact:
 
     def __call__(self, clip: Clip, limb: str) -> Tensor:
         """Contact signal ``[F]`` of a limb."""
-        if not limb.endswith("foot"):
+        if limb not in LIMBS[2:]:
             return clip.root_positions.new_zeros(len(clip))
         found = contacts.detect(clip, height=self.height, speed=self.speed)
         return found[:, contacts.FEET.index(limb.removesuffix("_foot"))]
@@ -94,7 +95,7 @@ class ContactFree:
     def fitted(self, clips: Sequence[Clip]) -> "ContactFree":
         """The same source with the centre and axis of all frames of clips."""
         axes, means = {}, {}
-        for limb in LIMBS:
+        for limb in limbs_of(self):
             points = [self.points(clip, limb) for clip in clips]
             means[limb] = torch.cat(points).mean(0)
             pairs = zip(points, clips, strict=True)
@@ -142,8 +143,7 @@ class Hybrid:
 
     Departure from the paper: the contacts are those of `Steps`, and a foot's phase follows from the
     middles of its stances and swings (`toolkit.phases.steps.signal`) instead of a sinusoid fitted
-    to them. In a regular walk both are the same. `Contact(height=0.0)` has the
-    paper's limits.
+    to them. In a regular walk both are the same. `Contact(height=0.0)` has the paper's limits.
     """
 
     contact_free: ContactFree = field(default_factory=ContactFree)
@@ -151,7 +151,7 @@ class Hybrid:
 
     def fitted(self, clips: Sequence[Clip]) -> "Hybrid":
         """The same source with contact-free axes of all frames of `clips`."""
-        return Hybrid(self.contact_free.fitted(clips))
+        return replace(self, contact_free=self.contact_free.fitted(clips))
 
     def choice(self, clip: Clip, limb: str) -> str:
         """ "contact" or "contact-free"."""
@@ -165,7 +165,7 @@ class Hybrid:
 
 def _touches(clip: Clip, limb: str) -> Tensor | None:
     """The stances ``[F]`` of a foot that touches the floor; None for other limbs."""
-    if limb.endswith("foot"):
+    if limb in LIMBS[2:]:
         stances = Steps()(clip, limb)
         if float(stances.mean()) >= LEAST:
             return stances

@@ -30,7 +30,7 @@ SURE = 1.5  # largest evidence of one frame
 PENALTY = 0.03  # seconds of evidence that a change must be worth
 WALK = 0.6  # share of a cycle in which a foot stands in a walk
 EARLY = 1 / 3  # weight of the touch-down against the middle of a stance, where its share changes
-NONE = 1e-6  # metres, of a leg that is none
+NONE = 1e-6  # metres: a shorter leg counts as missing
 
 
 class Steps:
@@ -48,6 +48,7 @@ class Steps:
 
         column = contacts.FEET.index(limb.removesuffix("_foot"))
         cost = evidence(clip)[:, column] / clip.fps
+        # states: 0 swings, 1 stands
         standing = smoothest(np.stack((-cost, cost), 1), PENALTY * (1.0 - np.eye(2)))
         return torch.from_numpy(standing).to(clip.root_positions)
 
@@ -55,7 +56,9 @@ class Steps:
 def evidence(clip: Clip) -> np.ndarray:
     """Evidence ``[F, 2]`` that the right and the left foot swing (positive) or stand (negative).
 
-    It is the logarithm of speed / limit. The toe's least speed within `NEARBY` counts as slipping.
+    It is the larger of ln(speed / limit) and height / `HEIGHT` − 1, within ± `SURE`. The least
+    speed within `NEARBY` counts as slipping; the height is that above the recent lowest point. A
+    foot that is `RAISED` in most frames always swings.
     """
     lengths = np.array([[leg_length(clip.skeleton, side)] for side in contacts.FEET])
     toes = contacts.toes_of(clip).double().cpu().numpy() / lengths
@@ -99,7 +102,7 @@ def leg_length(skeleton: Skeleton, side: str) -> float:
 
 
 def signal(contact: Tensor) -> Tensor | None:
-    """Complex signal ``[F]`` of a 0/1 curve, whose angle grows by π from each middle to the next.
+    """Complex signal ``[F]`` of a 0/1 curve, whose angle grows by about π from middle to middle.
 
     None if the curve has other values or fewer than three changes.
 

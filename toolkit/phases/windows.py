@@ -3,9 +3,7 @@
 Curves are ``[F, ...]``, best in float64. The length of a window is given by half of it, in seconds.
 """
 
-import functools
 
-import numpy as np
 import scipy
 import torch
 from torch import Tensor
@@ -48,13 +46,8 @@ def normalise(curves: Tensor, fps: float, half: float = SECOND) -> Tensor:
 
 def smooth(curves: Tensor, fps: float) -> Tensor:
     """Second-order zero-phase Butterworth low-pass at `CUTOFF` along the first axis."""
-    return through_numpy(lambda c: scipy.signal.sosfiltfilt(_low_pass(fps), c, axis=0), curves)
-
-
-@functools.cache
-def _low_pass(fps: float) -> np.ndarray:
-    """Coefficients of the filter."""
-    return scipy.signal.butter(2, CUTOFF, fs=fps, output="sos")
+    low_pass = scipy.signal.butter(2, CUTOFF, fs=fps, output="sos")
+    return through_numpy(lambda c: scipy.signal.sosfiltfilt(low_pass, c, axis=0), curves)
 
 
 def speed(positions: Tensor, fps: float) -> Tensor:

@@ -104,10 +104,9 @@ def fit(data: Features, config: Config | None = None,
     if batches.fewest < fabric.world_size:
         raise ValueError(f"{fabric.world_size} processes cannot share a minibatch of "
                          f"{batches.fewest} frames")
-    total, limit = None, config.seconds  # steps, or seconds
-    if limit is None:
-        epochs = config.epochs or 90
-        total = limit = config.steps or max(1, round(epochs * batches.steps_per_epoch))
+    timed, limit = config.seconds is not None, config.seconds  # or steps
+    if not timed:
+        limit = config.steps or max(1, round((config.epochs or 90) * batches.steps_per_epoch))
     adam, state = optimiser(model, config), State()
     if checkpoint and resume and Path(checkpoint).exists():
         state = restore(checkpoint, model, adam, config)
@@ -130,9 +129,9 @@ def fit(data: Features, config: Config | None = None,
             state.best = {name: value.clone() for name, value in model.state_dict().items()}
 
     def spent() -> float:
-        return state.step if total else min(state.elapsed, limit)
+        return min(state.elapsed, limit) if timed else state.step
 
-    form = None if total else "{l_bar}{bar}| {n:.0f}/{total:.0f} s, {remaining} left{postfix}"
+    form = "{l_bar}{bar}| {n:.0f}/{total:.0f} s, {remaining} left{postfix}" if timed else None
     bar = progress_bar(total=limit, bar_format=form, desc="training", initial=spent(), unit="step",
                        show=progress and first)
     smooth, before = math.nan, time.process_time() - state.processor

@@ -89,5 +89,6 @@ def remembered(data: Features, style: str, rows: Tensor, memory: int) -> Tensor:
     before = (rows[:, None] - steps).clamp_min(0)
     number, frame = data.takes[style], data.frames[style]
     same = (number[before] == number[rows, None]) & (frame[before] == frame[rows, None] - steps)
+    # same is False, …, False, True, …, True: of m True the first frame is row + 1 - m
     before = torch.where(same, before, rows[:, None] + 1 - same.sum(1, keepdim=True))
     return data.inputs[style][before.flatten()].unflatten(0, before.shape)

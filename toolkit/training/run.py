@@ -24,7 +24,8 @@ SMALL, LARGE = 1e-30, 1e30
 #: Least and largest value of the settings that are numbers.
 RANGES = {
     **dict.fromkeys(WHOLE, (1, LARGE)), "refit": (0, LARGE), "seed": (0, LARGE),
-    **dict.fromkeys(("epochs", "seconds", "rate"), (SMALL, LARGE)), "style_rate": (0, LARGE),
+    **dict.fromkeys(("epochs", "seconds", "rate", "max_gradient"), (SMALL, LARGE)),
+    "style_rate": (0, LARGE),
     "final_rate": (0, 1), "pose_mixup": (0, 1), "held_out": (0, 0.99)}
 PROCEDURAL = Path(__file__).with_name("pretrained.safetensors")
 RECORDED = Path(__file__).parents[2] / "examples" / "models" / "recorded.safetensors"
@@ -115,7 +116,7 @@ class Config:
         """A config as JSON holds it."""
         sizes, styles = Sizes(**stored["sizes"]), tuple(stored["styles"])
         settings = {"refit": 0, **stored, "sizes": sizes, "styles": styles}
-        for old in ("bone_weight", "save_every"):  # of files from before 0.3
+        for old in ("bone_weight", "save_every"):  # of older files
             settings.pop(old, None)
         return cls(**settings)
 
