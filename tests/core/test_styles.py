@@ -322,7 +322,7 @@ def test_what_a_walk_shows_is_compared_by_sorted_values_and_by_its_tempo(zombie)
     for side in ("left", "right"):
         places[..., roles[f"{side}_hip"], 1] = 0.9
     way = torch.tensor([0.0, 1.2]).expand(299, 2, 2)
-    seen = closed_loop.distributions(layout, places, way)
+    seen = closed_loop.distributions(layout, places, way, way)
     assert torch.allclose(seen["legs"], torch.tensor(0.9))
     assert torch.equal(seen["root's speed"][0], torch.tensor([0.0, 1.2]))
     assert sorted(seen["hands"].unique().tolist()) == [0.0, 1.0]
