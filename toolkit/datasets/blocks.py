@@ -18,7 +18,6 @@ from typing import NamedTuple
 from toolkit.datasets import bandai, style100
 from toolkit.datasets.takes import Root
 from toolkit.io import files
-from toolkit.io.files import write_whole
 
 PARTS = "train", "validation", "test"
 # frames at 60 Hz between blocks of a take: a style clip, longer than the window of a frame (112)
@@ -56,7 +55,7 @@ class Split:
 
     def save(self, path: str | os.PathLike) -> None:
         """Write a JSON file."""
-        write_whole(Path(path), (json.dumps(vars(self)) + "\n").encode())
+        files.write_whole(Path(path), (json.dumps(vars(self)) + "\n").encode())
 
 
 def split(name: str, root: Root = None) -> Split:

@@ -15,7 +15,6 @@ from pathlib import Path
 
 from toolkit.datasets.takes import Names, Root, Source
 from toolkit.io import bvh, files
-from toolkit.io.files import write_whole
 from toolkit.motion import Clip
 
 GAITS = {
@@ -118,7 +117,7 @@ def save(clips: Iterable[Clip], folder: str | os.PathLike, infos: Iterable[Style
         writer = csv.DictWriter(text, TABLES[name], restval="N/A", lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)
-        write_whole(folder / name, text.getvalue().encode())
+        files.write_whole(folder / name, text.getvalue().encode())
 
 
 def frame_cuts(root: Root = None) -> dict[tuple[str, str], tuple[int, int]]:

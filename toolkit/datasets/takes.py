@@ -34,7 +34,6 @@ class Source:
     layout: str  # description of a folder of this dataset, for error messages
     home: str  # where users get the dataset, for error messages
     gaits: Iterable[str] = ()  # that are known even if a folder has no file of them
-    unit: float = bvh.CENTIMETRE  # metres of one unit of length in the files
 
     def load(self, root: Root = None, styles: Names = None, gaits: Names = None) -> list[Clip]:
         """Clips of the dataset, by path.
@@ -94,7 +93,7 @@ class Source:
     def read(self, takes: list[Take]) -> Iterator[Clip]:
         """Labelled clips of takes; more than 20 show a progress bar on a terminal."""
         for take in progress_bar(takes, desc=self.name, unit="file", show=len(takes) > 20):
-            yield bvh.load(take.path, unit=self.unit, up="y", style=take.style, gait=take.gait)
+            yield bvh.load(take.path, unit="cm", up="y", style=take.style, gait=take.gait)
 
 
 def check_names(names: Names, known: Iterable[str], what: str, dataset: str) -> list[str]:

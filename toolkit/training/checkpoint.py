@@ -13,7 +13,6 @@ import torch
 from torch import Tensor, nn
 
 from toolkit.io import model_files
-from toolkit.io.model_files import check, starting
 from toolkit.motion.tensors import summary
 
 SAVE_EVERY = 120.0  # seconds between checkpoints
@@ -62,10 +61,10 @@ class Checkpoint:
                              "deviations differ)")
         with model_files.intact(path, "the checkpoint"):
             # everything is checked before anything is changed
-            own = {name: starting(tensors, f"{name}.") for name in self.networks}
+            own = {name: model_files.starting(tensors, f"{name}.") for name in self.networks}
             for name, network in self.networks.items():
-                check(own[name], network.state_dict())
-            moments = {name: _moments(starting(tensors, f"adam.{name}."), adam)
+                model_files.check(own[name], network.state_dict())
+            moments = {name: _moments(model_files.starting(tensors, f"adam.{name}."), adam)
                        for name, adam in self.adams.items()}
             model_files.alike(numbers, self.kinds)
             made = max((int(kinds["step"]) for of in moments.values() for kinds in of.values()),
@@ -102,8 +101,8 @@ def _moments(tensors: dict[str, Tensor], adam: torch.optim.Adam) -> dict[int, di
     for i, parameter in enumerate(parameters):
         expected |= {f"{i}.step": torch.zeros(()), f"{i}.exp_avg": parameter,
                      f"{i}.exp_avg_sq": parameter}
-    check(tensors, expected)
-    moments = {i: starting(tensors, f"{i}.") for i in range(len(parameters))}
+    model_files.check(tensors, expected)
+    moments = {i: model_files.starting(tensors, f"{i}.") for i in range(len(parameters))}
     for i, kinds in moments.items():
         if kinds["step"] < 1 or bool((kinds["exp_avg_sq"] < 0).any()):
             raise ValueError(f"Adam's parameter {i} has a step below 1 or a negative square")

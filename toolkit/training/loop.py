@@ -17,7 +17,6 @@ from torch import Tensor
 
 from toolkit import networks
 from toolkit.features import Features, Layout, check_style, splits
-from toolkit.features.splits import seeded
 from toolkit.io import model_files
 from toolkit.io.progress import progress_bar
 from toolkit.motion.tensors import summary
@@ -94,7 +93,7 @@ def fit(data: Features, config: Config | None = None,
                          "of these data")
 
     # model and optimiser, new or from the checkpoint
-    with seeded(fabric.device, config.seed, INIT):
+    with splits.seeded(fabric.device, config.seed, INIT):
         model = networks.build(config.model, data.layout, len(styles), config.sizes)
     model.normalise(networks.normalisers(model.layout, train))
     model.ground = train.ground()
@@ -146,7 +145,7 @@ def fit(data: Features, config: Config | None = None,
             rate = config.rate * (config.final_rate + (1 - config.final_rate) * share)
             rank = fabric.global_rank  # rank 0 draws as a single process does
             stream = (state.step, rank) if rank else (state.step,)
-            with seeded(fabric.device, config.seed, DROPOUT, *stream):
+            with splits.seeded(fabric.device, config.seed, DROPOUT, *stream):
                 state.losses = step(fabric, objective, adam, batches, config, state.step, rate)
             state.step += 1
             state.elapsed, state.processor = saver.elapsed, time.process_time() - before
