@@ -343,7 +343,7 @@ def test_processes_draw_their_own_dropout():
     seeds = {}
     for rank in range(3):
         with (mock.patch.object(distributed.Alone, "global_rank", rank),
-              mock.patch.object(loop, "seeded", wraps=loop.seeded) as seeded):
+              mock.patch.object(splits, "seeded", wraps=splits.seeded) as seeded):
             training.fit(waves(), quick(steps=3))
         drawn = [call.args[1:] for call in seeded.call_args_list]
         seeds[rank] = [given for given in drawn if given[1] == loop.DROPOUT]

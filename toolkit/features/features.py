@@ -211,14 +211,13 @@ class Features:
         return {kind: Normaliser.of(*getattr(self, kind).values()) for kind in KINDS}
 
     def ground(self) -> float:
-        """Median height of a toe in contact, metres, over every tenth row; 2 cm without contacts.
-        """
+        """Median height of a toe in contact, metres, over every tenth row; 2 cm without toes."""
         layout, roles, heights = self.layout, self.layout.skeleton.roles, []
-        toes = [layout.names.index(roles[f"{side}_toe"]) for side in FEET]
+        toes = [layout.names.index(roles[toe]) for side in FEET if (toe := f"{side}_toe") in roles]
         for rows in self.outputs.values():
             out = layout.unpack_output(rows[torch.arange(0, len(rows), 10)])
             height = split_joints(out["joints"])["position"][:, toes, 1]
-            heights.append(height[out["contacts"] > 0.5])
+            heights.append(height[out["contacts"][:, :len(toes)] > 0.5])
         return float(torch.cat(heights).median().nan_to_num(0.02).clamp(-2, 2))
 
 
