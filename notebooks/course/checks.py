@@ -260,8 +260,9 @@ def claim(sentence: str, *conditions: bool) -> Sentences:
     return Sentences(sentence)
 
 
-def learnt(sentences: Mapping[str, bool]) -> Sentences:
-    """The list *What you learnt*: sentence -> the condition under which it is true.
+def learnt(sentences: Mapping[str, bool | None]) -> Sentences:
+    """The list *What you learnt*: sentence -> the condition under which it is true, or None for a
+    sentence that this run cannot test: it is left out.
 
     Raises
     ------
@@ -269,5 +270,6 @@ def learnt(sentences: Mapping[str, bool]) -> Sentences:
         If one is not true.
     """
     return Sentences(
-        *(f"* {claim(sentence, condition)}" for sentence, condition in sentences.items())
+        *(f"* {claim(sentence, condition)}" for sentence, condition in sentences.items()
+          if condition is not None)
     )
