@@ -104,21 +104,22 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, wa
     The paper does not say how its toes get their targets; this rule is ours. A blend of the last
     position and the prediction, weighted by contact, lets a toe slide in each frame where the
     weight is below 1. We lock a toe fully, in three dimensions, while its contact is above one
-    half. After that, its offset from the prediction decays like a critically damped spring that
-    starts at rest, so that the toe does not jump. A toe that lands, low and with a contact that
-    grows, while the other one was in contact, is already slowed down by twice these contacts: else
-    it slides until it is locked. The offset of a toe is at most `SLACK`, and its
-    part towards the other toe at most a quarter of their distance or `NEAR`, so that the legs do
-    not cross when a character turns on the spot. Toes land at the heights that the network
-    predicts, in turns up to 5 cm over the ground. While both are in contact, their heights go to
-    the ground. Any locked toe goes there while it is more than `UNEVEN` over it or `SUNK` below,
-    but there are walks on the heels: it may be as high as a heel on the ground has it.
+    half. After that, its offset decays like a critically damped spring that starts at rest, so that
+    the toe does not jump. A toe that lands, low and with a contact that grows, while the other one
+    was in contact, is already slowed down by twice these contacts: else it slides until it is
+    locked. An offset is at most `SLACK`, and its part towards the other toe at most a quarter of
+    their distance or `NEAR`, so that legs do not cross in turns on the spot. Toes land at
+    the heights that the network predicts, in turns up to 5 cm over the ground. While both are in
+    contact, their heights go to the ground. Any locked toe goes there while it is more than
+    `UNEVEN` over it or `SUNK` below, but there are walks on the heels: it may be as high as a heel
+    on the ground has it.
 
     Parameters
     ----------
     toes : Tensor [..., 2, 3], targets in the frame before, right and left, world, metres
     drift : Tensor [..., 2, 3], velocity of their offset from the predictions, m/s
-    before, predicted : Tensor [..., 2, 3], the network's toes in the frame before and in this one
+    before : Tensor [..., 2, 3], toes of the pose that was fed back, after IK, in the frame before
+    predicted : Tensor [..., 2, 3], the network's toes in this frame
     was, contacts : Tensor [..., 2], in the frame before and in this one, in [0, 1]
     left : Tensor [..., 2], unit vector (x, z) to the character's left
     ground : height of a standing toe, metres
@@ -129,8 +130,9 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, wa
     -------
     toes, drift : Tensor [..., 2, 3], of this frame
     """
-    # All offsets are from the prediction. That of a held toe is such that the toe stays in its
-    # place; that of a free one decays. A toe that lands is between, but for its height.
+    # Offsets are from the network's toes; that of the frame before is from the pose after IK. A
+    # held toe stays in its place; a free one's offset decays. A toe that lands is between, but for
+    # its height.
     offset, behind = toes - before, R.limited(toes - predicted, SLACK)
     free, slower = spring(offset, drift, RETURN, seconds)
     held = contacts[..., None] > 0.5

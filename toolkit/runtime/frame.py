@@ -34,12 +34,10 @@ CORRECTION = 0.85  # share of the network's prediction in the next frame's traje
 
 def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
           facing: Sequence[float] = (0.0, 1.0)) -> CharacterState:
-    """A character standing still in the mean pose of the model's data.
+    """A character standing still in the model's `toolkit.networks.phase.initial_pose`.
 
     Parameters
     ----------
-    model
-        It gives the pose and the phase, see `toolkit.networks.phase.initial_pose`.
     style : Tensor [S] or [B, S]
         Style vector, or one per character. Arrays and lists are accepted, here and below.
     position, facing
@@ -115,9 +113,11 @@ def step(model, state: CharacterState, command: Command) -> CharacterState:
     phase and trajectory are blends of this prediction and the previous values (section 4.4, with
     the constants of the published run). The pose after foot IK is the next input.
 
-    Departure from the published run, in which all positions are half predicted and half integrated:
-    a leg in contact is only integrated, other joints are corrected by at most `JUMP`, and toes in
-    the air are raised by the model's ``lift``. For the phase see `toolkit.networks.phase.advance`.
+    Departures from the published run, in which all positions are half predicted and half
+    integrated: a leg in contact (from one half on) is only integrated, joints outside the legs are
+    corrected by at most `JUMP`, and toes in the air are raised by the model's ``lift``. A character
+    that is to stand gives up its motion, turn and phase, and its low feet come down; one that
+    starts does so slowly. For the phase see `toolkit.networks.phase.advance`.
     """
     return planted(model, state, predicted(model, state, command))
 

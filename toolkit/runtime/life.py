@@ -30,7 +30,7 @@ def alive(style: Styles, amount: float, seed: int = 0) -> Styles:
     style : Tensor [S] or [B, S], or a function of the frame number that returns one
     amount
         Deviation of the factor; with 0, ``style`` itself is returned. The published network looks
-        alive at 0.25.
+        alive at 0.25. For models with FiLM only.
     seed
         Of the noise. Rows of ``[B, S]`` have seeds of their own: ``seed``, ``seed + 1``, …
 

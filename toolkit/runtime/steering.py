@@ -240,12 +240,12 @@ def follow(points: Sequence[Sequence[float]], speed: float = 1.2,
     """
     path = as_tensor(points, "points", torch.float64).cpu()
     speed = float(as_tensor(speed, "speed", torch.float64))
-    legs = (path[1:] - path[:-1]).norm(dim=-1)
-    pairs = path.dim() == 2 and path.shape[1] == 2 and len(legs) > 0
+    pairs = path.dim() == 2 and path.shape[1] == 2 and len(path) > 1
+    legs = (path[1:] - path[:-1]).norm(dim=-1) if pairs else path.new_tensor([math.nan])
     ends = legs.cumsum(0)  # distances along the path at the ends of its legs
-    if seconds is None and pairs:
+    if seconds is None:
         seconds = float(ends[-1]) / max(speed, 1e-300)
-    if not (pairs and bool(((legs > 1e-6) & legs.isfinite()).all()) and 0 < speed < math.inf
+    if not (((legs > 1e-6) & legs.isfinite()).all() and 0 < speed < math.inf
             and 0 <= seconds <= LONGEST):
         raise ValueError("a path needs two or more different (x, z) points, all finite, a positive "
                          f"speed and 0 to {LONGEST:g} s; got {list(path.shape)}, {speed:g} m/s, "

@@ -31,7 +31,7 @@ QUANTILES = 64  # of a distribution
 #: What a walk shows: a small difference, in metres and seconds, and the weight in the loss.
 SHOWN = {"places": (0.05, 1.0), "hands": (0.05, 0.3), "feet": (0.04, 0.3), "legs": (0.03, 0.3),
          "speeds": (0.5, 0.5), "feet's speeds": (0.3, 0.3), "root's speed": (0.1, 0.1)}
-LAGS, TEMPO = range(4, 45, 4), (0.1, 0.3)  # frames; a small difference of correlations, the weight
+LAGS, TEMPO = range(4, 45, 4), (0.1, 0.3)  # frames; a small difference of `tempo`, the weight
 
 
 class ClosedLoop:
@@ -124,7 +124,7 @@ def distributions(layout: Layout, places: Tensor, way: Tensor) -> dict[str, Tens
 
 
 def tempo(layout: Layout, places: Tensor) -> Tensor:
-    """How like itself a walk is after each of `LAGS`: correlations of the toes' distance ahead."""
+    """Cosine similarity of the toes' distance ahead, means not removed, after each of `LAGS`."""
     right, left = (places[..., joint, 2] for joint in leg_joints(layout)[2::3])
     apart = right - left
     return torch.stack([cosine_similarity(apart[lag:].flatten(), apart[:-lag].flatten(), dim=0)

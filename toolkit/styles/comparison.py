@@ -180,7 +180,7 @@ def difference(rows: Mapping[str, Mapping[str, float]], what: str) -> float:
             _, _, *floors = [row[what] for row in rows.values()]
             return style / min(max(POSTURE * min(floors, default=math.inf), CLOSE), FAR)
         case "range":
-            return abs(math.log(style / clip)) / math.log(RANGE)
+            return abs(math.log(max(style, 1e-3) / max(clip, 1e-3))) / math.log(RANGE)
         case "head":  # an angle from the clip's already
             return style / LIMITS[what]
         case "reach":
@@ -190,7 +190,7 @@ def difference(rows: Mapping[str, Mapping[str, float]], what: str) -> float:
         case "slower foot":
             return (style - clip) / LIMITS[what]
         case "speed" | "steps":
-            return abs(style - clip) / (LIMITS[what] * clip)
+            return abs(style - clip) / (LIMITS[what] * max(clip, 1e-3))
     return abs(style - clip) / LIMITS[what]
 
 
@@ -198,9 +198,10 @@ def against(rows: Mapping[str, Mapping[str, float]], what: str) -> str:
     """What a value of the style is compared with, in words."""
     if what != "posture":
         return f"the clip's {rows['clip'][what]:.1f}"
+    most = f"at most {rows['style'][what] / difference(rows, what):.2g}"
     _, _, *floors = rows
     near = min(floors, key=lambda name: rows[name][what], default="")
-    return f"{near}'s {rows[near][what]:.1f}, at most {FAR:g}" if near else f"at most {FAR:g}"
+    return f"{most} ({near}'s is {rows[near][what]:.1f})" if near else most
 
 
 def not_a_walk(clip: Clip) -> str:
@@ -209,16 +210,16 @@ def not_a_walk(clip: Clip) -> str:
     A walk lasts two steps or more, covers ground, lifts both feet, and they pass each other in
     turn.
     """
+    clip = walking(clip)
     if clip.seconds < SHORTEST:
         return f"lasts {clip.seconds:.1f} s; a style needs {SHORTEST:g} s or more"
-    clip = walking(clip)
     if (speed := pace(clip)) < SLOWEST:
         return f"covers {speed:.2f} m/s; a walk has {SLOWEST:g} m/s or more"
     contact = contacts.detect(clip)
     for side, share in zip(FEET, contact.mean(0).tolist(), strict=True):
         if share > 0.97:
             return f"the {side} foot never leaves the floor"
-    if (likeness := periodicity(clip)[0]) < PERIODIC:
+    if not (likeness := periodicity(clip)[0]) >= PERIODIC:  # NaN is none
         return (f"the feet do not pass each other in turn: regular by {likeness:.2f}, a walk by "
                 f"{PERIODIC:g} or more")
     return ""

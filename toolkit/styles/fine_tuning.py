@@ -116,6 +116,8 @@ def fine_tune(model: Predictor, clips: Clip | Sequence[Clip] | Features, name: s
     if method != "vector" and not has_generator:
         raise ValueError(f"method {method!r} needs a FiLM generator, and this model has none; "
                          "use method 'vector'")
+    if method != "forward" and steps < 1:
+        raise ValueError(f"steps must be positive, got {shown(steps)}")
     if known := [style for style in data.styles if bank is not None and style in bank.names]:
         raise ValueError(f"the bank has {', '.join(known)} already; choose another name")
     styles = tuple(data.styles)

@@ -53,9 +53,9 @@ def learn(model: Predictor, bank: StyleBank, clips: Sequence[Clip], name: str, *
             break
     ended: list[Learnt] = []
     for one in sorted(tried, key=lambda one: one.compared.rank()):
-        bank, compared = _in_closed_loop(one.made, longest, one.bank, one.compared, ROUNDS, seed,
+        best, compared = _in_closed_loop(one.made, longest, one.bank, one.compared, ROUNDS, seed,
                                          progress)
-        ended.append(replace(one, bank=bank, compared=compared))
+        ended.append(replace(one, bank=best, compared=compared))
         if compared.verdict == "good":
             break
     return min(ended, key=lambda one: one.compared.rank())
@@ -91,19 +91,22 @@ def _in_closed_loop(made: NewStyles, clip: Clip, bank: StyleBank, compared: Comp
     floors = comparison.floors_of(made.bank, made.bank[name], name)
     prior, middle = prior_of(model, made.bank), comparison.middle(clip)
 
-    def walks() -> list[comparison.Walk]:
+    def walks(vector: Tensor) -> list[comparison.Walk]:
         return comparison.walks(clip, model, vector[None], made.bank, floors, rounds)
 
-    first = compared
+    start = compared
     for rate in RATES:
-        if not rounds or compared.excess <= ENOUGH or compared is not first:
+        # the lower rate only if no round at the higher one was better
+        if not rounds or compared.excess <= ENOUGH or compared is not start:
             break
         vector = bank[name]
         loop = ClosedLoop(model, middle, vector, prior, rate, rounds, seed)
-        walked = walks()
+        walked = walks(vector)
         for _ in progress_bar(range(rounds), desc="closed loop", unit="round", show=progress):
             vector = loop.round(walked)
-            walked = walks()
+            walked = walks(vector)
+            if not all(walk.states[-1].joints.isfinite().all() for walk in walked):
+                break  # the vector diverged
             (found,) = comparison.compared(clip, model, walked, floors)
             if found.rank() < compared.rank():
                 bank, compared = _with(made, vector), found

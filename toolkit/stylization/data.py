@@ -131,7 +131,7 @@ def prepare(clip: Clip, skeleton: Skeleton | None = None) -> Clip:
         return clip
     if own.names != skeleton.names or own.parents != skeleton.parents:
         odd = sorted(set(own.names) ^ set(skeleton.names))
-        what = f"not in both: {', '.join(odd[:6])}" if odd else "in another order"
+        what = f"not in both: {', '.join(odd[:6])}" if odd else "in another order or tree"
         raise ValueError(f"{clip.name}: expected the model's skeleton of {len(skeleton)} joints, "
                          f"got {len(own)} ({what})")
     gap = (own.offsets[1:] - skeleton.offsets[1:]).norm(dim=-1)

@@ -28,7 +28,7 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
     """Restyle a clip (Park et al. 2021).
 
     The result has the rate, root path (section 4), bones, End Sites and foot contacts of the
-    source. The change of the motion is smoothed until it has no more jerk than the source (`calm`).
+    source. The change of the motion is smoothed, to hardly more jerk than the source's (`calm`).
 
     Parameters
     ----------

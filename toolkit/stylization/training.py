@@ -49,7 +49,7 @@ class Config:
     weights: dict[str, float] = field(  # λ
         default_factory=lambda: dict.fromkeys((*losses.LOSSES, "r1"), 1.0))
     seconds: float = math.inf  # training ends after this time or after the iterations
-    other_window: bool = False  # a source's own code is that of another window of its domain
+    other_window: bool = False  # a source's own code is that of a window drawn from its domain
     fading: bool = False  # "ds" only for codes from noise, second result constant, weight falls
     warm_up: int = 0  # first iterations, which train G and E alone by "id", as an autoencoder
     r1_every: int = 1  # iterations from one R1 term to the next, with as many times its weight
@@ -129,7 +129,7 @@ class Batches:
     def __getitem__(self, n: int) -> dict[str, Tensor]:
         """Tensors by name.
 
-        ``x`` and ``domain`` of the sources and ``kin``, other motions of their domains; the
+        ``x`` and ``domain`` of the sources and ``kin``, motions drawn from their domains; the
         ``target`` domains, ``references [2, B, …]`` and ``noise [2, B, 16]``.
         """
         b, draw = self.config.batch, generator(self.config.seed, BATCH, n)
