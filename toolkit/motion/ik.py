@@ -130,9 +130,8 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, wa
     -------
     toes, drift : Tensor [..., 2, 3], of this frame
     """
-    # Offsets are from the network's toes; that of the frame before is from the pose after IK. A
-    # held toe stays in its place; a free one's offset decays. A toe that lands is between, but for
-    # its height.
+    # Offsets are from the network's toes, the last one from `before`. A held toe keeps its place; a
+    # free one's offset decays. A toe that lands is between, but for its height.
     offset, behind = toes - before, R.limited(toes - predicted, SLACK)
     free, slower = spring(offset, drift, RETURN, seconds)
     held = contacts[..., None] > 0.5
