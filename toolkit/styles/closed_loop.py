@@ -3,8 +3,7 @@
 One step ahead, a vector can have a small error and still walk with half of the clip's movement:
 each frame leans a little to the mean, and the next one starts from there. So here the model walks
 on its own for 1.5 seconds, and the gradient goes back through all its frames. No frame of this walk
-belongs to a frame of the clip, so distributions are compared: how often has a hand which height,
-how fast are the feet, how long are the legs.
+belongs to a frame of the clip, so distributions are compared, as of the heights of hands.
 """
 
 import torch
@@ -72,10 +71,12 @@ class ClosedLoop:
         begins, orders = [], []
         for i in range(STARTS):
             walk = walks[i % len(walks)]
+            # not from the start; FRAMES must follow
             last = len(walk.states) - FRAMES - 1
             at = int(torch.randint(min(FRAMES, last - 1), last, (1,), generator=self.draw))
             begins.append(walk.states[at])
             orders.append(walk.commands[at + 1 : at + 1 + FRAMES])
+        # one state, of the model's class (`Remembering`)
         state = type(begins[0])(**{name: torch.cat([getattr(begin, name)[:1] for begin in begins])
                                    for name in vars(begins[0])})
         state, walked = state.with_style(self.vector), []

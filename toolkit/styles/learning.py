@@ -65,10 +65,10 @@ def choose(made: NewStyles, clip: Clip, *, rounds: int = ROUNDS, seed: int = 0,
            progress: bool = False) -> tuple[StyleBank, Comparison]:
     """The bank with the vector that walks most like a clip, and its comparison.
 
-    At first this is a vector of the training. The error one step ahead, by which the training went,
-    does not say how it walks. So it is trained on by its walk, in up to ``rounds`` rounds of
-    `toolkit.styles.closed_loop`, until its excess is at most `ENOUGH`. The best round counts. If
-    none is better than before, so many rounds follow at a lower rate.
+    At first this is a vector of the training, whose error one step ahead does not say how it walks.
+    So it is trained on by its walk, in up to ``rounds`` rounds of `toolkit.styles.closed_loop`,
+    until its excess is at most `ENOUGH`. The best round counts. If none is better than before, so
+    many rounds follow at a lower rate.
 
     The clip should be a walk (`not_a_walk`). ValueError if several styles were learnt at once.
     """
@@ -96,7 +96,6 @@ def _in_closed_loop(made: NewStyles, clip: Clip, bank: StyleBank, compared: Comp
 
     start = compared
     for rate in RATES:
-        # the lower rate only if no round at the higher one was better
         if not rounds or compared.excess <= ENOUGH or compared is not start:
             break
         vector = bank[name]
