@@ -52,8 +52,8 @@ def add(
 
     Motion of another rig is retargeted to the model's skeleton. The clips are learnt as they are,
     and with their mirror images if the walk is not good. A model that has its FiLM generator
-    fine-tunes a copy of it; if the walk is not good, or a model has none, such as the embedded one,
-    only the style vector is optimised. Then vectors are trained on while they walk, until one walks
+    fine-tunes a copy of it; if the walk is not good, or a model has none, as the embedded one, only
+    the style vector is optimised. Then vectors are trained on while they walk, until one walks
     well, for some minutes on each model.
 
     Without --model and --published, the style is learnt on each model that is there: procedural,

@@ -222,8 +222,9 @@ def _mirrored(clip: Clip) -> Clip:
 
 
 def _same_sign(x: Tensor) -> Tensor:
-    """Every joint's quaternions with the sign of their principal direction, one per window."""
-    q = x[:, 3:]
-    principal = torch.linalg.eigh(torch.einsum("mctn,mdtn->ncd", q, q))[1][..., -1].T
+    """Of q and −q, one rotation, a window has that nearer to the joint's principal direction."""
+    q = x[:, 3:]  # [M, 4, T, N]
+    scatter = torch.einsum("mctn,mdtn->ncd", q, q)
+    principal = torch.linalg.eigh(scatter).eigenvectors[..., -1].T  # [4, N], largest eigenvalue
     sign = torch.where((q * principal[:, None]).sum((1, 2), keepdim=True) < 0, -1.0, 1.0)
     return torch.cat((x[:, :3], q * sign), 1)

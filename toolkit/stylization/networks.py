@@ -156,6 +156,7 @@ class Discriminator(nn.Module):
 
     def forward(self, x: Tensor, domain: Tensor) -> Tensor:
         """``[B]`` of z-scores ``[B, 7, T, N]`` and domains ``[B]``."""
+        # without `Sizes.detailed` there is one summary, of x itself
         seen = zip(self.summaries, (x, x - x.mean(2, keepdim=True)), strict=False)
         features = torch.cat([summary(motion) for summary, motion in seen], -1)
         return self.branches(features).gather(1, domain[:, None])[:, 0]

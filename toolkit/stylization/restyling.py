@@ -44,7 +44,7 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
         half the shift and scale from this style to the domain. It keeps more gaits than the network
         (docs/embedded_model.md).
     feet
-        Whether to remove foot skate (`lock_feet`), and to turn arms out of the body (`arms_out`).
+        Remove foot skate (`lock_feet`), and turn arms out of the body (`arms_out`).
 
     Raises
     ------
@@ -164,7 +164,7 @@ def settled(change: Tensor, standing: np.ndarray, level: float = 0.0) -> Tensor:
     """
     frames, jolt = len(change), (-1.0, 3.0, -3.0, 1.0)
     still = STILL * (standing[1:] & standing[:-1])
-    # the diagonal of the system of equations and the three below it
+    # bands[k, i]: entry (i + k, i) of I + SMOOTH D₃ᵀD₃ + STILL D₁ᵀS D₁ + level S, S the stances
     bands = np.zeros((4, frames))
     for k, m in product(range(4), repeat=2):
         if k + m < 4:

@@ -25,7 +25,9 @@ from toolkit.stylization.networks import Discriminator, Sizes, Stylizer, build
 from toolkit.training.checkpoint import Checkpoint, Saver
 
 INIT, BATCH = range(2)  # what draws random numbers
-NETWORKS = ("generator", "encoder", "mapping", "discriminator")
+#: Adam's first rates of the networks, the paper's.
+RATES = {"generator": 1e-4, "encoder": 1e-6, "mapping": 1e-4, "discriminator": 1e-6}
+NETWORKS = tuple(RATES)
 #: Adam's, of the published code. The paper prints (0.99, 0.999), which is slow for a GAN.
 BETAS = (0.9, 0.99)
 
@@ -43,8 +45,7 @@ class Config:
     iterations: int = 100_000  # style codes come from noise and from references by turns
     batch: int = 8
     sizes: Sizes = field(default_factory=Sizes)
-    rates: dict[str, float] = field(  # Adam's
-        default_factory=lambda: dict(zip(NETWORKS, (1e-4, 1e-6) * 2, strict=True)))
+    rates: dict[str, float] = field(default_factory=RATES.copy)  # Adam's
     final_rate: float = 1.0  # rates at the end as a share of the first, on a cosine between
     weights: dict[str, float] = field(  # λ
         default_factory=lambda: dict.fromkeys((*losses.LOSSES, "r1"), 1.0))
@@ -87,7 +88,7 @@ class Config:
             "sizes": Sizes.small(), "iterations": iterations, "final_rate": 0.1,
             "other_window": True, "fading": True, "warm_up": min(300, iterations // 5),
             "r1_every": 4,
-            "rates": dict(zip(NETWORKS, (2e-3, 1e-3, 1e-3, 1e-3), strict=True)),
+            "rates": dict.fromkeys(NETWORKS, 1e-3) | {"generator": 2e-3},
             "weights": dict.fromkeys(losses.LOSSES, 1.0) | {"r1": 5.0},
         } | changes)
 
@@ -101,8 +102,6 @@ class Config:
 @dataclass(eq=False)
 class Run:
     """What training made; ``history``: per `Config.log_every` iterations the means of the terms.
-
-    ``stylizer.save`` writes a file.
     """
 
     stylizer: Stylizer
