@@ -47,8 +47,8 @@ def add(
 ) -> None:
     """Learn a style from one clip or more of at least 2 s, better 4 s; nothing else changes.
 
-    The new style then walks at the speed of the longest clip and on its path, and the walk is
-    compared with the clip: good, weak or failed. A failed style is not written.
+    The new style then walks at the longest clip's speed and on its path, and is compared with it:
+    good, weak or failed. A failed style is not written.
 
     Motion of another rig is retargeted to the model's skeleton. The clips are learnt as they are,
     and with their mirror images if the walk is not good. A model that has its FiLM generator

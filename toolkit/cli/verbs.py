@@ -120,7 +120,7 @@ def execute(app: TyperGroup, arguments: list[str] | None = None) -> int:
 
 @contextlib.contextmanager
 def _notices() -> Iterator[None]:
-    """Print warnings and messages about the data in use as lines on stderr."""
+    """Print warnings, and which data is used, as lines on stderr."""
     logger, lines = logging.getLogger("toolkit.datasets"), logging.Handler(logging.INFO)
     level = logger.level
     lines.emit = lambda record: _print_error(record.getMessage())

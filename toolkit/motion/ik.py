@@ -111,8 +111,8 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, wa
     their distance or `NEAR`, so that legs do not cross in turns on the spot. Toes land at
     the heights that the network predicts, in turns up to 5 cm over the ground. While both are in
     contact, their heights go to the ground. Any locked toe goes there while it is more than
-    `UNEVEN` over it or `SUNK` below, but there are walks on the heels: it may be as high as a heel
-    on the ground has it.
+    `UNEVEN` over it or `SUNK` below, but for walks on the heels it may be as high as a heel on the
+    ground has it.
 
     Parameters
     ----------
@@ -166,7 +166,7 @@ def hold_feet(swivel: Tensor, before: Tensor, predicted: Tensor, contacts: Tenso
     A network turns feet with the body, also a foot that bears it, whose heel then sweeps about its
     locked toe. A foot in contact keeps its direction, at most `SWIVEL` off the prediction; in the
     air, the angle decays with `RETURN`. The network gets back ankles that belong to it, but the
-    rotations that it predicted. This rule is ours as well.
+    rotations that it predicted. Ours as well.
 
     Parameters
     ----------

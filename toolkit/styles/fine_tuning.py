@@ -136,6 +136,7 @@ def fine_tune(model: Predictor, clips: Clip | Sequence[Clip] | Features, name: s
             return learnt[0][style, None]
     else:
         if method == "generator":
+            # all but the generator shares its memory
             frozen = [*model.gating.parameters(), *model.experts.parameters(), *model.buffers()]
             model = copy.deepcopy(model, {id(tensor): tensor for tensor in frozen})
         learnt = model.style_parameters()

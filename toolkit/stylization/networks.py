@@ -266,10 +266,7 @@ def _none(graph: SkeletonGraph, domains: tuple[str, ...]) -> Statistics:
 
 
 def pretrained() -> Stylizer:
-    """The stylizer in the package, a small one trained on procedural clips.
-
-    `docs/embedded_model.md` describes it.
-    """
+    """The small stylizer in the package, of procedural clips (`docs/embedded_model.md`)."""
     return Stylizer.load(Path(__file__).with_name("stylizer.safetensors"))
 
 

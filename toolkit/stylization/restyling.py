@@ -40,9 +40,8 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
         A clip with the target style (equation 5). Its domain is ``domain``, by default its own
         ``style``.
     blend
-        Style of the clip. With it the result is not the network's, but a blend: half of it, and
-        half the shift and scale from this style to the domain. It keeps more gaits than the network
-        (docs/embedded_model.md).
+        Style of the clip. With it the result is half the network's, and half the shift and scale
+        from this style to the domain. It keeps more gaits (docs/embedded_model.md).
     feet
         Remove foot skate (`lock_feet`), and turn arms out of the body (`arms_out`).
 
@@ -82,8 +81,8 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
     rotations[:, joints] = result.rotations
     result = result.replace(skeleton=clip.skeleton, rotations=rotations, style=domain)
     result = result.resample(clip.fps)
-    # at a higher rate than 30 Hz the clip's last frames lie after the network's last one: they keep
-    # its pose and go on along the path
+    # at over 30 Hz the clip's last frames lie after the network's last one: they keep its pose and
+    # go on along the path
     at = torch.arange(len(clip)).clamp_max(len(result) - 1)
     on = clip.root_positions - clip.root_positions[at]
     return result.replace(rotations=result.rotations[at],
@@ -118,7 +117,7 @@ def jerk(x: Tensor) -> Tensor:
 def stances(clip: Clip) -> Tensor:
     """Contacts ``[F, 2]``; the faster the root, the faster a toe that stands (`PACE`).
 
-    At 30 Hz a runner's toe never is as slow as the toe of one who walks.
+    At 30 Hz a runner's toe is never as slow as a walker's.
     """
     pace = contacts.velocities(clip.root_positions[:, [0, 2]], clip.fps).norm(dim=-1, keepdim=True)
     return torch.maximum(contacts.detect(clip), contacts.detect(clip, speed=PACE * pace))

@@ -1,8 +1,7 @@
 """Training of the stylizer (Park et al. 2021, section 6 and appendix A.2).
 
-A run that was stopped and resumed ends with the same weights as one that was not, for the reason
-that `toolkit.training.loop` gives. (With a budget of time the rates follow the clock; the batches
-are still the same.)
+A resumed run ends with the same weights as one that was not stopped, see `toolkit.training.loop`.
+(With a budget of time the rates follow the clock; the batches are still the same.)
 """
 
 import json
@@ -162,6 +161,7 @@ def fit(motions: Motions, config: Config | None = None,
     for name in NETWORKS:
         network = discriminator if name == "discriminator" else getattr(stylizer, name)
         adams[name] = torch.optim.Adam(network.parameters(), config.rates[name], BETAS, fused=True)
+    # an example of each value, as `model_files.alike` compares them
     kinds = {"step": 0, "elapsed": 0.0, "history": [{"": 0.0}], "sums": {"": (0.0, 0.0)}}
     file = Checkpoint("stylization_checkpoint", both, adams, config.fixed(), kinds)
     state = {"step": 0, "elapsed": 0.0, "history": [], "sums": {}}

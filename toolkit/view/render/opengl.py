@@ -45,7 +45,7 @@ def opengl_works() -> bool:
 
 @cache
 def explain_missing_opengl() -> None:
-    """Warn once, and say how to install OpenGL for pyvista."""
+    """Warn once how to install OpenGL for pyvista."""
     warnings.warn(MISSING, stacklevel=3)
 
 
