@@ -50,7 +50,7 @@ def rollout(
     low, high = metrics.hips_height(clip)
     went = metrics.speed(clip)
     slid = metrics.foot_skate(clip, torch.stack([state.contacts[0] for state in states])).values()
-    skate = max((speed for speed in slid if not math.isnan(speed)), default=0.0)
+    skate = max((each for each in slid if not math.isnan(each)), default=0.0)
     if seconds > 1 and went < HARDLY * speed:
         warnings.warn(f"the character hardly walks: {went:.2f} m/s for {speed:.2f} asked",
                       stacklevel=2)

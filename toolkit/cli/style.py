@@ -47,14 +47,14 @@ def add(
 ) -> None:
     """Learn a style from one clip or more of at least 2 s, better 4 s; nothing else changes.
 
-    The new style then walks at the speed of the longest clip and on its path, and the walk is
-    compared with the clip: good, weak or failed. A failed style is not written.
+    The new style then walks at the longest clip's speed and on its path, and is compared with it:
+    good, weak or failed. A failed style is not written.
 
     Motion of another rig is retargeted to the model's skeleton. The clips are learnt as they are,
     and with their mirror images if the walk is not good. A model that has its FiLM generator
-    fine-tunes a copy of it; if the walk is not good, or a model has none, such as the embedded one,
-    only the style vector is optimised. Then the vector is trained on while it walks, for up to two
-    minutes on each model.
+    fine-tunes a copy of it; if the walk is not good, or a model has none, as the embedded one, only
+    the style vector is optimised. Then vectors are trained on while they walk, until one walks
+    well, for some minutes on each model.
 
     Without --model and --published, the style is learnt on each model that is there: procedural,
     recorded, and published, if its files were fetched. The one where it walks best is written.

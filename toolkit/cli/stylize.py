@@ -29,7 +29,7 @@ def stylize_clip(
         help="Motion file whose style is used instead of noise.")] = None,
     blend: Annotated[str | None, Option(
         help="Style of the clip: makes a blend, half network, half shift and scale.")] = None,
-    feet: Annotated[bool, Option(help="Remove foot skate.")] = True,
+    feet: Annotated[bool, Option(help="Remove foot skate, and turn arms out of the body.")] = True,
     unit: Unit = "auto",
     up: Up = "auto",
     roles: Roles = None,

@@ -108,8 +108,8 @@ def train(
     say(f"{'style':<20}{'model':>9}{'other':>9}{'mean':>9}{'repeat':>9}{'bone':>7}")
     rows = run.table()
     for row in rows:
-        names = ("error", "other", "mean", "repeat")
-        errors = "".join(f"{row.get(name, math.nan):>9.4f}" for name in names)
+        errors = "".join(f"{row.get(name, math.nan):>9.4f}"
+                         for name in ("error", "other", "mean", "repeat"))
         say(f"{row['style']:<20}{errors}{1000 * row['bone']:>7.1f}")
     if rows and rows[-1]["error"] >= rows[-1]["repeat"]:
         say("The model predicts no better than repeating the frame: give it more time, or more "

@@ -120,7 +120,7 @@ def execute(app: TyperGroup, arguments: list[str] | None = None) -> int:
 
 @contextlib.contextmanager
 def _notices() -> Iterator[None]:
-    """Inside, warnings are printed as lines, and which data is used."""
+    """Print warnings, and which data is used, as lines on stderr."""
     logger, lines = logging.getLogger("toolkit.datasets"), logging.Handler(logging.INFO)
     level = logger.level
     lines.emit = lambda record: _print_error(record.getMessage())

@@ -174,22 +174,25 @@ def _feet(clip: Clip, at: dict[str, Tensor]) -> Iterator[tuple[str, str, Tensor]
         stands = above[low].quantile(0.25) if low.any() else above.amin()
         flat = low & (above - stands < FLAT)
         velocity = _moved(toe, fps, TOUCH)
+        pace = velocity.norm(dim=-1)
         # A swinging foot overtakes the hips; a planted one stays behind them, even if it slides.
         along = (velocity[:, [0, 2]] * hips).sum(-1) / travel.clamp_min(0.05)
         behind = flat & (along < BEHIND * travel.clamp_min(STROLL))
-        slides = torch.minimum(velocity.norm(dim=-1), _moved(ankle, fps, TOUCH).norm(dim=-1))
+        # A foot that rolls or turns slides at the slower of both.
+        slides = torch.minimum(pace, _speed(ankle, fps, TOUCH))
         for kind, held in (("slide", STANCE), ("short slide", TOUCH)):
             yield kind, f"{side}_toe", slides.where(_throughout(behind, held, fps), torch.nan)
         heel = _speed(ankle[:, [0, 2]], fps, TOUCH)
-        still = flat & (velocity.norm(dim=-1) < STILL)
+        still = flat & (pace < STILL)
         yield "pivot", f"{side}_foot", heel.where(_throughout(still, TOUCH, fps), torch.nan)
-        slow = velocity.norm(dim=-1) < SLOW
+        slow = pace < SLOW  # for the floor
         lowest.append(toe[slow, 1].quantile(0.05) if slow.any() else toe.new_tensor(torch.nan))
         strides.append((velocity[:, [0, 2]] - hips).norm(dim=-1))
     # A body glides if its feet go along with its hips for a while, as no step does.
-    whole = 2 * max(1, round(REST * fps / 2)) + 1
-    if len(clip) >= whole:
-        step, way = (x.unfold(0, whole, 1).mean(-1) for x in (torch.stack(strides).amax(0), travel))
+    window = 2 * max(1, round(REST * fps / 2)) + 1
+    if len(clip) >= window:
+        step = torch.stack(strides).amax(0)
+        step, way = (x.unfold(0, window, 1).mean(-1) for x in (step, travel))
         yield "drift", "hips", _placed(way.where(step < ALIKE * way, torch.nan), len(clip))
     uneven = (lowest[0] - lowest[1]).abs()
     uneven = uneven.where(uneven < LIFTED, torch.nan).expand(len(clip))
@@ -252,7 +255,8 @@ def _between(a: int, one: Clip, b: int, other: Clip, apart: float | None) -> lis
             for clip in (one, other)]
     gap = (hips[0] - hips[1]).norm(dim=-1)
     if apart is not None:
-        found += _findings("apart", f"hips of {a} and {b}", gap, gap * 0 + apart, one.fps, b)
+        found += _findings("apart", f"hips of {a} and {b}", gap, torch.full_like(gap, apart),
+                           one.fps, b)
     if float(gap.min()) > 2.0:  # metres: nobody's arms are so long
         return found
     mine, theirs = ({"trunk": trunk(clip)[:frames],
@@ -261,10 +265,9 @@ def _between(a: int, one: Clip, b: int, other: Clip, apart: float | None) -> lis
     for part, with_, first, second in (
             ("trunk", "trunk", mine, theirs), ("limb", "trunk", mine, theirs),
             ("limb", "trunk", theirs, mine), ("limb", "limb", mine, theirs)):
-        distance = _distance(first[part], second[with_])
-        limit = distance * 0 + OTHERS[part, with_]
-        found += _findings("body", f"{part} and {with_} of {a} and {b}", distance, limit,
-                           one.fps, b)
+        near = _distance(first[part], second[with_])
+        limit = torch.full_like(near, OTHERS[part, with_])
+        found += _findings("body", f"{part} and {with_} of {a} and {b}", near, limit, one.fps, b)
     return found
 
 

@@ -102,9 +102,9 @@ class Report:
 
     ``rows`` has a dict for each method and one for ``real``: ``data``, its name; ``n``, the number
     of clips; and each measure of ``columns``, NaN where it has no value. ``intervals`` has the ends
-    of the interval of each by name and measure: of 95 % of bootstraps over the clips. That of
-    ``fmd`` is biased upwards, since a clip that is drawn twice makes a set less varied. ``notes``
-    says what is missing and why, and what not to trust.
+    of each by name and measure: of 95 % of bootstraps over the clips, for ``fmd`` biased upwards,
+    since a clip that is drawn twice makes a set less varied. ``notes`` says what is missing and
+    why, and what not to trust.
     """
 
     rows: list[dict[str, str | int | float]]
@@ -280,6 +280,7 @@ def _sets(judge: _Cached, data: Mapping[str, Sequence], real: Sequence | None,
     compared = dict(data)
     if real is not None:
         compared["real"] = [clip for group in chosen for clip in group[1::2]]
+    # only clips with rotations are judged
     able = [name for name, some in data.items() if all(isinstance(clip, Clip) for clip in some)]
     counts = {name: sum(len(judge.embed(clip)) for clip in compared[name]) for name in able}
     fewest = min((count for count in counts.values() if count > 1), default=0)
@@ -304,17 +305,16 @@ def _of(measure: Callable[..., float], judge: _Cached, clips: Sequence, *others:
 
 
 def of_styles(styles: Sequence[str], measure: Callable[[list[int]], float]) -> Statistic:
-    """A `Statistic` of a measure of sets, whose bootstrap keeps the number of clips of each style.
+    """A `Statistic` of a measure of sets; its bootstrap draws for each clip one of its style.
 
-    It is stratified: each random index is mapped to a clip of the same style, by a remainder.
-    ``measure`` takes indices of clips.
+    So each style keeps its number of clips. ``measure`` takes indices of clips.
     """
     alike = [[n for n, other in enumerate(styles) if other == style] for style in styles]
 
     def value(chosen: Sequence[int]) -> float:
         drawn = []
         for n, (choice, same) in enumerate(zip(chosen, alike, strict=True)):
-            # the choice n is clip n itself; each further one is the next clip of the same style
+            # choice n is clip n itself, n + k the k-th after it among those of its style
             drawn.append(same[(same.index(n) + int(choice) - n) % len(same)])
         return measure(drawn)
 

@@ -144,10 +144,7 @@ def _joint(words: list[str], joints: list[Joint], names: set[str], inside: list[
 
 
 def _offset(words: list[str]) -> list[float]:
-    try:
-        offset = [float(word) for word in words[:3]]
-    except ValueError:
-        offset = []
+    offset = [_number(word) for word in words[:3]]
     if len(offset) != 3 or not all(abs(x) < LARGEST for x in offset):
         raise ValueError(f"OFFSET needs three finite numbers, got {' '.join(words)!r}")
     return offset

@@ -35,12 +35,7 @@ def compiled(**options) -> Callable:
     """Decorator: `numba.njit` that releases the GIL, with numba's cache on disk.
 
     The cache lies beside the module or in the user's cache folder. Where neither can be written
-    (a read-only install, a user without home), each process compiles the function again.
-
-    Warns
-    -----
-    UserWarning
-        Once in a process, if there is no folder for the cache.
+    (a read-only install, a user without home), each process warns once and compiles again.
     """
 
     def decorate(function: Callable) -> Callable:

@@ -14,7 +14,7 @@ def read(data: np.ndarray, at: int, columns: np.ndarray) -> bool:
 
     Every number is the nearest double to its decimal text: digits up to 2⁵³ and the power of ten
     are exact, and their quotient is rounded once (Clinger 1990). Returns False if the rows differ
-    in length, or a number has more digits, an exponent, or is none.
+    in length, or a word is no such number without an exponent.
     """
     width, rows = columns.shape
     row = column = 0

@@ -96,7 +96,7 @@ def table(path: str | os.PathLike, columns: Iterable[str]) -> list[tuple[int, di
 
 @contextlib.contextmanager
 def naming(path: Path, *others: Path) -> Iterator[None]:
-    """An OSError of writing names ``path``, also where it names no file or one of ``others``."""
+    """An OSError of ``path``, of ``others`` or of no file becomes one of writing ``path``."""
     try:
         yield
     except OSError as error:

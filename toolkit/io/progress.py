@@ -34,7 +34,7 @@ def kernel() -> Any:
 
 
 def progress_bar(iterable: Any = None, *, show: bool = True, **options: Any) -> tqdm:
-    """Return tqdm's bar for a terminal, a notebook or a file, in which 10 s leave no line."""
+    """tqdm's bar for a terminal or a notebook; lines for a file, none for work below 10 s."""
     if not show or sys.stderr is None or sys.stderr.isatty():
         return tqdm(iterable, disable=not show or sys.stderr is None, **options)
     if kernel():

@@ -121,7 +121,7 @@ def foot_lock(toes: Tensor, drift: Tensor, before: Tensor, predicted: Tensor, wa
     toes : Tensor [..., 2, 3], targets in the frame before, right and left, world, metres
     drift : Tensor [..., 2, 3], velocity of their offset from the predictions, m/s
     before : Tensor [..., 2, 3], toes of the pose that was fed back, after IK, in the frame before
-    predicted : Tensor [..., 2, 3], the network's toes in this one
+    predicted : Tensor [..., 2, 3], the network's toes in this frame
     was, contacts : Tensor [..., 2], in the frame before and in this one, in [0, 1]
     left : Tensor [..., 2], unit vector (x, z) to the character's left
     ground : height of a standing toe, metres

@@ -34,22 +34,16 @@ CORRECTION = 0.85  # share of the network's prediction in the next frame's traje
 
 def start(model, style: Tensor, position: Sequence[float] = (0.0, 0.0),
           facing: Sequence[float] = (0.0, 1.0)) -> CharacterState:
-    """A character standing still in the mean pose of the model's data.
+    """A character standing still in the model's `toolkit.networks.phase.initial_pose`; on its
+    device and in its dtype.
 
     Parameters
     ----------
-    model
-        It gives the pose and the phase, see `toolkit.networks.phase.initial_pose`.
     style : Tensor [S] or [B, S]
         Style vector, or one per character. Arrays and lists are accepted, here and below.
     position, facing
         World position (x, z) of the root, metres, and its facing direction (x, z); pairs or ``[B,
         2]``.
-
-    Returns
-    -------
-    CharacterState
-        On the model's device and in its dtype.
 
     Raises
     ------
@@ -115,9 +109,11 @@ def step(model, state: CharacterState, command: Command) -> CharacterState:
     phase and trajectory are blends of this prediction and the previous values (section 4.4, with
     the constants of the published run). The pose after foot IK is the next input.
 
-    Departure from the published run, in which all positions are half predicted and half integrated:
-    a leg in contact is only integrated, other joints are corrected by at most `JUMP`, and toes in
-    the air are raised by the model's ``lift``. For the phase see `toolkit.networks.phase.advance`.
+    Departures from the published run, in which all positions are half predicted and half
+    integrated: a leg in contact (from one half on) is only integrated, joints outside the legs are
+    corrected by at most `JUMP`, and toes in the air are raised by the model's ``lift``. A character
+    that is to stand gives up its motion, turn and phase, and its low feet come down; one that
+    starts does so slowly. For the phase see `toolkit.networks.phase.advance`.
     """
     return planted(model, state, predicted(model, state, command))
 
@@ -159,8 +155,8 @@ def predicted(model, state: CharacterState, command: Command) -> CharacterState:
     rising = contacts.maximum((state.contacts + 1 / (LANDING * FPS)).clamp_max(1.0))
     contacts = torch.where((stand > STANDS) & low, rising, contacts)
 
-    # Pose: the mean of predicted and integrated positions, at most `JUMP` from the integrated ones.
-    # A leg in contact is only integrated, so that toes do not jump.
+    # Pose: integrated positions, moved half of the way to the predicted ones; outside the legs by
+    # at most `JUMP`. A leg in contact is only integrated, so that toes do not jump.
     was, now, legs = split_joints(state.joints), split_joints(out["joints"]), leg_joints(layout)
     share = torch.full_like(was["position"][..., :1], 0.5)
     share[:, legs, 0] *= 1.0 - (2 * contacts).clamp_max(1.0).repeat_interleave(3, -1)
@@ -177,7 +173,7 @@ def predicted(model, state: CharacterState, command: Command) -> CharacterState:
     in_the_air = 1.0 - (2 * contacts).clamp_max(1.0)
     position[:, toes, 1] += swing * in_the_air * (height - model.ground).clamp(0.0, HIGH)
 
-    # A start: pose and phase, as the root, go the share 1 - held of a frame.
+    # At a start, `held` falls from 1 to 0: pose and phase go the share 1 - held of a frame.
     moves = R.length(steered.velocity) > MOVES
     held = torch.where(moves, steered.rest, 0.0)
     position = torch.lerp(position, was["position"], held[:, None])
@@ -204,28 +200,29 @@ def leg_joints(layout: Layout) -> list[int]:
 
 def planted(model, state: CharacterState, new: CharacterState) -> CharacterState:
     """The frame ``new``, which follows ``state``, after foot lock and foot IK."""
-    layout = model.layout
-    # Both poses in the world, at once.
-    joints, roots = (torch.cat(pair) for pair in ((state.joints, new.joints),
-                                                  (state.root, new.root)))
-    world = world_joints(joints, roots)
+    layout, skeleton, count = model.layout, model.layout.skeleton, len(new.joints)
+    # The pose that was fed back and the new one, in the world: [2 B, ...], then split.
+    joints = torch.cat((state.joints, new.joints))
+    world = world_joints(joints, torch.cat((state.root, new.root)))
     rotations = R.from_forward_up(world["forward"], world["up"])
-    legs, count = leg_joints(layout), len(new.joints)
-    before, toes = world["position"][:, legs[2::3]].split(count)
-    feet = rotations[:, legs[1::3]].split(count)
-
+    legs = leg_joints(layout)
+    before, now = world["position"][:, legs[2::3]].split(count)  # toes, [B, 2, 3] each
+    feet = rotations[:, legs[1::3]].split(count)  # [B, 2, 4] each
     swivel = hold_feet(state.swivel, *feet, new.contacts, 1 / FPS)
-    skeleton = layout.skeleton
+
+    # Foot lock. How much higher over its ankle is a toe than in the rest pose?
     ankles, balls = skeleton.both("foot"), skeleton.both("toe")
-    soles = skeleton.offsets[balls].to(toes) * (ankles != balls)
+    soles = skeleton.offsets[balls].to(now)
+    if ankles == balls:  # without toes, the foot has both roles
+        soles = torch.zeros_like(soles)
     raised = (R.rotate(feet[1], soles) - soles)[..., 1]
     left = torch.stack((new.root[:, 3], -new.root[:, 2]), -1)
-    toes, drift = foot_lock(state.toes, state.drift, before, toes, state.contacts, new.contacts,
-                            left, model.ground, raised, 1 / FPS)
+    locked, drift = foot_lock(state.toes, state.drift, before, now, state.contacts, new.contacts,
+                              left, model.ground, raised, 1 / FPS)
 
     # The legs bend towards these toes. The next frame is predicted from them, seen from the root.
     bent, drop, toes = solve_legs(skeleton, rotations[count:, skeleton.feature_of],
-                                  world["position"][count:, 0], toes, new.contacts, state.drop,
+                                  world["position"][count:, 0], locked, new.contacts, state.drop,
                                   swivel, 1 / FPS)
     x, z, sin, cos = new.root.unbind(-1)
     floor = torch.stack((x, torch.zeros_like(x), z), -1)[:, None]

@@ -30,13 +30,9 @@ def alive(style: Styles, amount: float, seed: int = 0) -> Styles:
     style : Tensor [S] or [B, S], or a function of the frame number that returns one
     amount
         Deviation of the factor; with 0, ``style`` itself is returned. The published network looks
-        alive at 0.25.
+        alive at 0.25. For models with FiLM only.
     seed
         Of the noise. Rows of ``[B, S]`` have seeds of their own: ``seed``, ``seed + 1``, …
-
-    Returns
-    -------
-    A function of the frame number, or ``style`` itself.
     """
     if not 0 <= amount < 1:
         raise ValueError(f"the amount of life must be in [0, 1), got {amount}")
@@ -46,8 +42,9 @@ def alive(style: Styles, amount: float, seed: int = 0) -> Styles:
 
     def key(number: int, like: Tensor) -> Tensor:
         if number not in kept:
-            kept.pop(number - 2, None)
+            kept.pop(number - 2, None)  # two are in use
             size = like.shape[-1]
+            # 0 in the quarters γ1 and γ2, 1 in β1 and β2
             shifts = np.arange(size) * 4 // size % 2
             rows = [shifts * uniform(size, number, seed + row)
                     for row in range(like.shape[:-1].numel())]
@@ -66,12 +63,9 @@ def alive(style: Styles, amount: float, seed: int = 0) -> Styles:
 
 
 def uniform(size: int, number: int, seed: int) -> np.ndarray:
-    """``size`` random numbers of mean 0 and deviation 1.
+    """``size`` random numbers of mean 0 and deviation 1, by their place, ``number`` and ``seed``.
 
-    They are a function of their place, ``number`` and ``seed`` alone.
-
-    Pages compute the same numbers in JavaScript (`scene/life.js`), therefore a hash of 32-bit
-    integers and no generator.
+    A hash of 32-bit integers, because pages compute the same ones (`scene/life.js`).
     """
     key = np.array([number * 0x9E3779B1 + seed * 0x85EBCA77 & 0xFFFFFFFF], np.uint32)
     x = np.arange(size, dtype=np.uint32) * np.uint32(0xC2B2AE3D) + key

@@ -36,13 +36,12 @@ def states(model, commands: Sequence[Command | Pilot], style: Styles,
 def rollout(model, commands: Sequence[Command | Pilot], style: Styles, ik: bool = True,
             first: CharacterState | None = None, progress: bool = False,
             life: float | None = None, seed: int = 0) -> Clip:
-    """Let one character follow commands, and record its motion.
+    """Let one character follow commands; record the motion of the model's whole skeleton.
 
     Parameters
     ----------
     model
-        A model from `toolkit.networks.build`, `toolkit.training.load` or
-        `toolkit.training.published.load`.
+        Made by `toolkit.networks.build`, or loaded.
     commands
         One per frame at 60 Hz: a command, or a function that computes it from the state.
     style : Tensor [S] or callable
@@ -54,11 +53,6 @@ def rollout(model, commands: Sequence[Command | Pilot], style: Styles, ik: bool 
     life, seed
         How much the style wanders, see `toolkit.runtime.life.alive`; by default the amount that
         belongs to the model.
-
-    Returns
-    -------
-    Clip
-        Motion on the model's whole skeleton, with constant bone lengths.
     """
     life = model.life if life is None else life
     recorded = states(model, commands, style, first, progress, life, seed)
@@ -90,7 +84,7 @@ def joined(recorded: Sequence[CharacterState], character: int | slice = 0) -> Ch
     """
     names = [f.name for f in dataclasses.fields(CharacterState) if f.name != "style"]
     parts = {name: torch.stack([getattr(s, name)[character] for s in recorded]) for name in names}
-    return CharacterState(**parts, style=parts["facing"][..., :0])
+    return CharacterState(**parts, style=parts["facing"][..., :0])  # no columns
 
 
 def _clip(model, walked: CharacterState, **options: bool) -> Clip:

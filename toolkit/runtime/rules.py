@@ -1,7 +1,4 @@
-"""The constants of a step and of a pose as plain numbers and arrays.
-
-The runtimes beside torch, numba and JavaScript, need them.
-"""
+"""The constants of a step and of a pose, for the runtimes in numba and in JavaScript."""
 
 from collections import namedtuple
 from typing import NamedTuple
@@ -12,7 +9,7 @@ from toolkit.motion import ik, trajectory
 from toolkit.networks import phase
 from toolkit.runtime import frame, steering
 
-#: Constants that are rules as they are, under their names in small letters.
+#: Constants that are rules without a change, by module; a rule's name is in small letters.
 CONSTANTS = {
     steering: "GAIN PROPORTIONAL INTEGRAL MAX_DRIVE SLOW LOW SIDEWAYS SIDEWAYS_SUM FORGET ASKED "
               "MOVES",
@@ -48,7 +45,7 @@ def rules_of(model) -> Rules:
         "half_second": fps // 2,
         "seconds": np.diff(layout.ahead, prepend=0) / fps,
         "fps": float(fps),
-        "lift": model.lift - 1.0,
+        "lift": model.lift - 1.0,  # by which a toe's height grows, not the factor
         "ground": model.ground,
         # per frame
         "fastest": steering.FASTEST / fps,

@@ -11,10 +11,7 @@ from toolkit.motion.tensors import as_tensor, shown, summary
 
 @dataclass(frozen=True, eq=False)
 class CharacterState:
-    """Everything that the next frame depends on.
-
-    B characters, J feature joints, metres and seconds; right before left.
-    """
+    """State of B characters; J feature joints, metres and seconds; right before left."""
 
     # [B, 61, 4] world (x, z, direction x, direction z) of the root, one second ago to now
     history: Tensor

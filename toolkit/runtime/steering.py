@@ -74,17 +74,18 @@ def steer(state: CharacterState, command: Command,
     """The state with its future trajectory ``[B, S, 4]`` blended towards the command.
 
     ``ahead`` are the offsets of the present and future samples, S in all, in frames
-    (`toolkit.features.Layout.ahead`). The fields that change are ``velocity``, ``facing``,
-    ``future``, ``drive``, ``asked``, ``aside`` and ``rest``.
+    (`toolkit.features.Layout.ahead`).
 
-    Departure from the published run: the smoothed target changes by at most `FASTEST` and `SPIN`,
-    and the target velocity opposes a false velocity: the lateral part of it while the character
-    walks, all of it while the command or the speed factor is near 0, since a network can walk on
-    by itself. A velocity is false by its difference from ``asked``, the command at the pace at
-    which a character follows it; in one that is to stop, by its difference from the command. While
-    the command is to stand, the blend grows until the whole future stands still. A character that
-    is to walk, but stands or slowly goes elsewhere, follows the target alone: a network that has
-    learnt to walk backwards may begin with that.
+    Departures from the published run:
+
+    - The smoothed target changes by at most `FASTEST` and `SPIN`.
+    - The target velocity is corrected for the error of the root's: its lateral part while the
+      character walks (`direction_controller`), all of it while the command or the speed factor is
+      near 0, since a network can walk on by itself. The error is the difference from ``asked``, the
+      command as slowly as a character follows it, or, if it is to stop, from the smoothed command.
+    - While the command is to stand, the weights of the blend grow to 1.
+    - A character that is to walk, but stands or slowly goes elsewhere, follows the target alone: a
+      network that has learnt to walk backwards may begin with that.
     """
     wanted = pairs_of(command.velocity, "velocity", state.velocity)
     look = pairs_of(command.facing, "facing", state.velocity)
@@ -100,9 +101,9 @@ def steer(state: CharacterState, command: Command,
     change = torch.where(speed < MOVES, 1 / (STANDING * FPS), -1 / (STARTING * FPS))
     rest = (state.rest + change).clamp(0.0, 1.0)
 
-    # Target velocity, of three parts: the command times the factor of the speed controller; against
-    # the velocity that a character which is to stand or stop has (`slow` is 1) but should not; and
-    # `across`, against the lateral velocity.
+    # Target velocity, of three parts: the command times the factor of the speed controller; the
+    # correction of one that is to stand or stop (`slow` is 1) to the velocity that it should have,
+    # `wanted_now`; and `across`, against the lateral velocity.
     asked, aside, across = direction_controller(state, velocity)
     slow = (1.0 - torch.minimum(speed / SLOW, state.drive / LOW)).clamp_min(0.0)
     moved = _moved(state, -1)
@@ -140,10 +141,10 @@ def direction_controller(state: CharacterState, velocity: Tensor) -> tuple[Tenso
 
     The first two are those of the next frame.
 
-    Networks do not walk exactly where they are told to: with the published one, the direction of a
-    straight walk was over 5 degrees wrong in half of the styles. A proportional-integral controller
-    opposes the lateral velocity, measured over half a second, against the command smoothed over the
-    same time, so that turns are not taken for errors.
+    Networks do not walk exactly where they are told to: in half of the published one's styles, the
+    direction of a straight walk was over 5 degrees wrong. A proportional-integral controller
+    opposes the lateral velocity over half a second, compared with the command smoothed over the
+    same time, so that turns are no errors.
     """
     # The lateral velocity, positive to the left.
     asked = torch.lerp(state.asked, velocity, ASKED)
@@ -175,11 +176,11 @@ def speed_controller(state: CharacterState, velocity: Tensor) -> Tensor:
 
     It grows while the character is slower than its command, and shrinks while it is faster.
 
-    Networks follow the blended trajectory at a fraction of its speed, and this fraction depends on
-    the style. The published demo compensates for it by a table of target speeds "in its own units",
-    several times the speed reached. We use an incremental proportional-integral controller, so that
-    a command is in m/s for every model and style. Without the proportional part some styles
-    alternate between walk and run, or stay in a run.
+    Networks follow the blended trajectory at a fraction of its speed, which depends on the style.
+    The published demo compensates for it by a table of target speeds, several times the speed
+    reached. Here a command is in m/s for every model and style, by an incremental
+    proportional-integral controller. Without the proportional part some styles alternate between
+    walk and run, or stay in a run.
     """
     wanted, heading = R.length(velocity), R.normalize(velocity)
 
@@ -202,7 +203,7 @@ def _moves(speed: Tensor) -> Tensor:
 
 
 def _moved(state: CharacterState, now: int) -> Tensor:
-    """Velocity ``[B, 2]`` of the root, m/s, over half a second up to frame ``now``."""
+    """Velocity ``[B, 2]`` of the root, m/s: over half a second up to ``now`` (-1: at present)."""
     half_second = FPS // 2
     moved = state.history[:, now, :2] - state.history[:, now - half_second, :2]
     return moved * (FPS / half_second)
@@ -212,7 +213,7 @@ def straight(speed: float = 1.2, seconds: float = 10.0,
              facing: Sequence[float] = (0.0, 1.0)) -> list[Command]:
     """Commands that walk straight ahead at ``speed`` m/s.
 
-    A ValueError if the time is not 0 to `LONGEST`, ``facing`` is zero, or as of `Command`.
+    ValueError if ``seconds`` is not 0 to `LONGEST`, ``facing`` is zero, or `Command` refuses it.
     """
     speed, seconds = as_tensor((speed, seconds), "speed and seconds", torch.float64).tolist()
     if not 0 <= seconds <= LONGEST:
@@ -240,12 +241,12 @@ def follow(points: Sequence[Sequence[float]], speed: float = 1.2,
     """
     path = as_tensor(points, "points", torch.float64).cpu()
     speed = float(as_tensor(speed, "speed", torch.float64))
-    legs = (path[1:] - path[:-1]).norm(dim=-1)
-    pairs = path.dim() == 2 and path.shape[1] == 2 and len(legs) > 0
+    pairs = path.dim() == 2 and path.shape[1] == 2 and len(path) > 1
+    legs = (path[1:] - path[:-1]).norm(dim=-1) if pairs else path.new_tensor([math.nan])
     ends = legs.cumsum(0)  # distances along the path at the ends of its legs
-    if seconds is None and pairs:
+    if seconds is None:
         seconds = float(ends[-1]) / max(speed, 1e-300)
-    if not (pairs and bool(((legs > 1e-6) & legs.isfinite()).all()) and 0 < speed < math.inf
+    if not (((legs > 1e-6) & legs.isfinite()).all() and 0 < speed < math.inf
             and 0 <= seconds <= LONGEST):
         raise ValueError("a path needs two or more different (x, z) points, all finite, a positive "
                          f"speed and 0 to {LONGEST:g} s; got {list(path.shape)}, {speed:g} m/s, "

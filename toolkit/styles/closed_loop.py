@@ -3,8 +3,7 @@
 One step ahead, a vector can have a small error and still walk with half of the clip's movement:
 each frame leans a little to the mean, and the next one starts from there. So here the model walks
 on its own for 1.5 seconds, and the gradient goes back through all its frames. No frame of this walk
-belongs to a frame of the clip, so distributions are compared: how often has a hand which height,
-how fast are the feet, how long are the legs.
+belongs to a frame of the clip, so distributions are compared, as of the heights of hands.
 """
 
 import torch
@@ -32,7 +31,7 @@ QUANTILES = 64  # of a distribution
 SHOWN = {"places": (0.05, 1.0), "hands": (0.05, 0.3), "feet": (0.04, 0.3), "legs": (0.03, 0.3),
          "head": (0.1, 0.3), "speeds": (0.5, 0.5), "feet's speeds": (0.3, 0.3),
          "root's speed": (0.1, 0.1)}
-LAGS, TEMPO = range(4, 45, 4), (0.1, 0.3)  # frames; a small difference of correlations, the weight
+LAGS, TEMPO = range(4, 45, 4), (0.1, 0.3)  # frames; a small difference of `tempo`, the weight
 
 
 class ClosedLoop:
@@ -78,10 +77,12 @@ class ClosedLoop:
         begins, orders = [], []
         for i in range(STARTS):
             walk = walks[i % len(walks)]
+            # not from the start; FRAMES must follow
             last = len(walk.states) - FRAMES - 1
             at = int(torch.randint(min(FRAMES, last - 1), last, (1,), generator=self.draw))
             begins.append(walk.states[at])
             orders.append(walk.commands[at + 1 : at + 1 + FRAMES])
+        # one state, of the model's class (`Remembering`)
         state = type(begins[0])(**{name: torch.cat([getattr(begin, name)[:1] for begin in begins])
                                    for name in vars(begins[0])})
         state, walked = state.with_style(self.vector), []
@@ -135,7 +136,7 @@ def distributions(layout: Layout, places: Tensor, way: Tensor,
 
 
 def tempo(layout: Layout, places: Tensor) -> Tensor:
-    """How like itself a walk is after each of `LAGS`: correlations of the toes' distance ahead."""
+    """Cosine similarity of the toes' distance ahead, means not removed, after each of `LAGS`."""
     right, left = (places[..., joint, 2] for joint in leg_joints(layout)[2::3])
     apart = right - left
     return torch.stack([cosine_similarity(apart[lag:].flatten(), apart[:-lag].flatten(), dim=0)

@@ -6,7 +6,7 @@ what a viewer sees.
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -81,8 +81,8 @@ class Comparison:
 def compare(clip: Clip, model: Predictor, style: Tensor | str, bank: StyleBank) -> Comparison:
     """Let a style walk at a clip's speed and on its path, and compare the walk with the clip.
 
-    The floors are the walks of ``Neutral``, if the bank has it, and of the bank's style that is
-    nearest to the style: a style that is not nearer to the clip than these has not been learnt.
+    The floors are walks of other styles (`floors_of`): a style that is not nearer to the clip than
+    these has not been learnt.
 
     Parameters
     ----------
@@ -122,7 +122,7 @@ def walks(clip: Clip, model: Predictor, vectors: Tensor, bank: StyleBank, floors
     """
     clip = middle(clip)
     together = torch.cat([vectors, *(bank[other][None] for other in floors)])
-    # of many characters, compiling saves more
+    # compiling saves in a frame of n characters what it saves in n / 4 frames of one
     quick = runtime.quick(model, times * round(SECONDS * FPS) * len(together) // 4)
     both = [commands(clip, begin) for begin in (0, len(clip) // 2)]
     return [Walk(ordered, list(runtime.states(quick, ordered, together))) for ordered in both]
@@ -134,14 +134,17 @@ def compared(clip: Clip, model: Predictor, walked: Sequence[Walk],
     one start only is of no use.
     """
     clip = middle(clip)
-    fixed, twice = {"clip": measures(clip, clip)}, []
+    own, twice = measures(clip, clip), []
     for walk in walked:
         made = record_all(model, walk.states[round(WARM_UP * FPS):])
-        styles, others = made[: len(made) - len(floors)], made[len(made) - len(floors):]
-        beside = dict(zip(floors, others, strict=True))
-        rows = {other: measures(one, clip) for other, one in beside.items()}
-        twice.append([_judged(fixed | {"style": measures(one, clip)} | rows,
-                              {"clip": clip, "style": one} | beside) for one in styles])
+        count = len(made) - len(floors)
+        beside = dict(zip(floors, made[count:], strict=True))
+        floor_rows = {name: measures(one, clip) for name, one in beside.items()}
+        judged = []
+        for one in made[:count]:
+            rows = {"clip": own, "style": measures(one, clip)} | floor_rows
+            judged.append(_judged(rows, {"clip": clip, "style": one} | beside))
+        twice.append(judged)
     return [max(pair, key=Comparison.rank) for pair in zip(*twice, strict=True)]
 
 
@@ -180,7 +183,7 @@ def difference(rows: Mapping[str, Mapping[str, float]], what: str) -> float:
             _, _, *floors = [row[what] for row in rows.values()]
             return style / min(max(POSTURE * min(floors, default=math.inf), CLOSE), FAR)
         case "range":
-            return abs(math.log(style / clip)) / math.log(RANGE)
+            return abs(math.log(max(style, 1e-3) / max(clip, 1e-3))) / math.log(RANGE)
         case "head":  # an angle from the clip's already
             return style / LIMITS[what]
         case "reach":
@@ -190,7 +193,7 @@ def difference(rows: Mapping[str, Mapping[str, float]], what: str) -> float:
         case "slower foot":
             return (style - clip) / LIMITS[what]
         case "speed" | "steps":
-            return abs(style - clip) / (LIMITS[what] * clip)
+            return abs(style - clip) / (LIMITS[what] * max(clip, 1e-3))
     return abs(style - clip) / LIMITS[what]
 
 
@@ -198,27 +201,24 @@ def against(rows: Mapping[str, Mapping[str, float]], what: str) -> str:
     """What a value of the style is compared with, in words."""
     if what != "posture":
         return f"the clip's {rows['clip'][what]:.1f}"
+    most = f"at most {rows['style'][what] / difference(rows, what):.2g}"
     _, _, *floors = rows
     near = min(floors, key=lambda name: rows[name][what], default="")
-    return f"{near}'s {rows[near][what]:.1f}, at most {FAR:g}" if near else f"at most {FAR:g}"
+    return f"{most} ({near}'s is {rows[near][what]:.1f})" if near else most
 
 
 def not_a_walk(clip: Clip) -> str:
-    """Why no style can be learnt from a clip on its own; empty for a walk or a run.
-
-    A walk lasts two steps or more, covers ground, lifts both feet, and they pass each other in
-    turn.
-    """
+    """Why no style can be learnt from a clip on its own; empty for a walk or a run."""
+    clip = walking(clip)
     if clip.seconds < SHORTEST:
         return f"lasts {clip.seconds:.1f} s; a style needs {SHORTEST:g} s or more"
-    clip = walking(clip)
     if (speed := pace(clip)) < SLOWEST:
         return f"covers {speed:.2f} m/s; a walk has {SLOWEST:g} m/s or more"
     contact = contacts.detect(clip)
     for side, share in zip(FEET, contact.mean(0).tolist(), strict=True):
         if share > 0.97:
             return f"the {side} foot never leaves the floor"
-    if (likeness := periodicity(clip)[0]) < PERIODIC:
+    if not (likeness := periodicity(clip)[0]) >= PERIODIC:
         return (f"the feet do not pass each other in turn: regular by {likeness:.2f}, a walk by "
                 f"{PERIODIC:g} or more")
     return ""
@@ -227,9 +227,9 @@ def not_a_walk(clip: Clip) -> str:
 def periodicity(clip: Clip) -> tuple[float, int]:
     """How regularly the feet pass each other, up to 1, and the length of a cycle in frames.
 
-    In a walk, the toes' distance along the facing is the same a cycle later, and its negative half
-    a cycle later, where the other foot leads. This is half the difference of the two correlations,
-    the second without removing the means. It is the largest value over lags of `CYCLE`, and the
+    In a walk, the toes' distance along the facing is the same a cycle later, and the opposite half
+    a cycle later, where the other foot leads. The result is half the difference of the correlation
+    at a cycle and the cosine similarity at half a cycle: the largest over lags of `CYCLE`, and the
     median over windows of `WINDOW`, because the tempo of a long take changes.
     """
     apart = toes_apart(clip)
@@ -283,13 +283,13 @@ def commands(clip: Clip, begin: int = 0) -> list[runtime.Command]:
     """
     velocity, half = travel(clip)
     sin, cos = heading(root_frames(clip).rotations)
-    facing = torch.stack((sin, cos), -1).unfold(0, 2 * half + 1, 1).mean(-1)[: len(velocity)]
+    facing = torch.stack((sin, cos), -1).unfold(0, 2 * half + 1, 1).mean(-1)
     angle = torch.atan2(facing[:, 0], facing[:, 1])
     # relative to the facing, so that a repetition starts where the last one ended
     along = turned(velocity, -angle)
     turns = torch.diff(angle, append=angle[-1:])
     turns = torch.atan2(turns.sin(), turns.cos())
-    # the mean velocity straight ahead, and then the clip, as often as `SECONDS` need
+    # the clip as often as `SECONDS` need
     warm_up, repeats = round(WARM_UP * clip.fps), math.ceil(SECONDS * clip.fps / len(along))
     at = (begin + torch.arange(repeats * len(along))) % len(along)
     at = at[: round(max(SECONDS, clip.seconds) * clip.fps)]
@@ -324,11 +324,12 @@ def measures(walk: Clip, clip: Clip) -> dict[str, float]:
     way = roots.turn_to_local(contacts.velocities(roots.positions, walk.fps)).mean(0)
     toes = contacts.velocities(contacts.toes_of(walk), walk.fps).norm(dim=-1).amin(1)
     body = upper_body(walk)
-    # the clip's beside the walk's; of the clip itself, the first half beside the second
-    pairs = [(of(clip), of(walk)) for of in (upper_body, up_of_head)]
-    if walk is clip:
-        pairs = [own.split((len(own) + 1) // 2) for own, _ in pairs]
-    (own, seen), (own_head, head) = pairs
+
+    def beside(of: Callable[[Clip], Tensor]) -> Sequence[Tensor]:
+        own = of(clip)
+        return own.split((len(own) + 1) // 2) if walk is clip else (own, of(walk))
+
+    (own, seen), (own_head, head) = beside(upper_body), beside(up_of_head)
     return {
         "speed": pace(walk),
         "direction": math.degrees(math.atan2(float(way[0]), float(way[2]))),

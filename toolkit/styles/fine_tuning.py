@@ -64,14 +64,14 @@ def fine_tune(model: Predictor, clips: Clip | Sequence[Clip] | Features, name: s
     """Learn new styles from one or a few clips; vectors of other styles are bitwise unchanged.
 
     The paper says only that the generator is fine-tuned while the LPN is frozen. Ours are few steps
-    and a learning rate that decays. As in `toolkit.training.Config.quick` some input poses are
-    mixed with other poses (pose mix-up), here with poses of the model's own walks, so that a
-    character can change to the new style from any other. And a penalty keeps a vector near those of
-    the bank, because one clip does not show all motions.
+    and a learning rate that decays. As in `toolkit.training.Config.quick`, some input poses are
+    mixed with others (pose mix-up), here of the model's own walks, so that a character can change
+    to the new style from any other. And a penalty keeps a vector near those of the bank, because
+    one clip does not show all motions.
 
     A share of the frames is held out (`HELD_OUT`). The error on half of them is measured every
-    `EVERY` steps, and the best step is kept, which may be the initial one. The errors in the result
-    are those of the other half. ``before`` is the error with the best style of the bank (method
+    `EVERY` steps, and the best step is kept, maybe the initial one. The result has the errors of
+    the other half. ``before`` is the error with the best style of the bank (method
     ``"vector"``) or with the vector that the generator computes without fine-tuning; ``mean`` and
     ``repeat`` are those of `toolkit.training.loss.baselines`. Clips that are too short to hold
     frames out keep the last step.
@@ -86,9 +86,8 @@ def fine_tune(model: Predictor, clips: Clip | Sequence[Clip] | Features, name: s
     name
         Name of the style. By default every clip keeps its own style, and all are learnt together.
     bank
-        The model's style bank. It gives the poses of the mix-up, the mean and deviation of the
-        penalty, and the initial vector of the method ``"vector"``: its best style on the clips. The
-        new styles are added to it.
+        The model's style bank, to which the new styles are added. It gives the poses of the mix-up,
+        the prior of the penalty, and the initial vector of ``"vector"``: the best style.
     method
         One of `METHODS`; by default ``"generator"`` if the model has one, else ``"vector"``.
     steps, seed
@@ -101,9 +100,8 @@ def fine_tune(model: Predictor, clips: Clip | Sequence[Clip] | Features, name: s
     Raises
     ------
     ValueError
-        If the clips have another skeleton or are too short, the bank has a style of that name, the
-        prior is no number from 0 on, or the method is unknown or needs a generator that the model
-        does not have.
+        If the clips have another skeleton or are too short, the bank has a style of that name, or
+        ``steps``, ``prior`` or ``method`` is invalid.
     """
     began = time.perf_counter()
     data = clips if isinstance(clips, Features) else _features(model, clips, name, mirror)
@@ -116,6 +114,8 @@ def fine_tune(model: Predictor, clips: Clip | Sequence[Clip] | Features, name: s
     if method != "vector" and not has_generator:
         raise ValueError(f"method {method!r} needs a FiLM generator, and this model has none; "
                          "use method 'vector'")
+    if method != "forward" and steps < 1:
+        raise ValueError(f"steps must be positive, got {shown(steps)}")
     if known := [style for style in data.styles if bank is not None and style in bank.names]:
         raise ValueError(f"the bank has {', '.join(known)} already; choose another name")
     styles = tuple(data.styles)
@@ -124,7 +124,7 @@ def fine_tune(model: Predictor, clips: Clip | Sequence[Clip] | Features, name: s
     reported = splits.select(aside, half)
     choosing = splits.select(aside, {style: ~mask for style, mask in half.items()})
 
-    # what is learnt, and the bank that it makes
+    # what is learnt, the bank that it makes, and the vector of a style in a step
     if method == "vector":
         learnt = [torch.nn.Parameter(_start(model, bank, kept))]
         speeds = torch.tensor([features.natural_speed(data.clips[style][:]) for style in styles])
@@ -136,6 +136,7 @@ def fine_tune(model: Predictor, clips: Clip | Sequence[Clip] | Features, name: s
             return learnt[0][style, None]
     else:
         if method == "generator":
+            # all but the generator shares its memory
             frozen = [*model.gating.parameters(), *model.experts.parameters(), *model.buffers()]
             model = copy.deepcopy(model, {id(tensor): tensor for tensor in frozen})
         learnt = model.style_parameters()
@@ -161,7 +162,6 @@ def fine_tune(model: Predictor, clips: Clip | Sequence[Clip] | Features, name: s
                 losses.append(loss)
                 bar.update()
                 if step % every == 0 or step == total:
-                    # the values with the least held-out error are kept; without any, the last
                     found = errors(choosing)
                     tried.append(made().vectors)
                     if not found or sum(found.values()) < least:

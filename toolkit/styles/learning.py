@@ -53,9 +53,9 @@ def learn(model: Predictor, bank: StyleBank, clips: Sequence[Clip], name: str, *
             break
     ended: list[Learnt] = []
     for one in sorted(tried, key=lambda one: one.compared.rank()):
-        bank, compared = _in_closed_loop(one.made, longest, one.bank, one.compared, ROUNDS, seed,
+        best, compared = _in_closed_loop(one.made, longest, one.bank, one.compared, ROUNDS, seed,
                                          progress)
-        ended.append(replace(one, bank=bank, compared=compared))
+        ended.append(replace(one, bank=best, compared=compared))
         if compared.verdict == "good":
             break
     return min(ended, key=lambda one: one.compared.rank())
@@ -65,10 +65,10 @@ def choose(made: NewStyles, clip: Clip, *, rounds: int = ROUNDS, seed: int = 0,
            progress: bool = False) -> tuple[StyleBank, Comparison]:
     """The bank with the vector that walks most like a clip, and its comparison.
 
-    At first this is a vector of the training. The error one step ahead, by which the training went,
-    does not say how it walks. So it is trained on by its walk, in up to ``rounds`` rounds of
-    `toolkit.styles.closed_loop`, until its excess is at most `ENOUGH`. The best round counts. If
-    none is better than before, so many rounds follow at a lower rate.
+    At first this is a vector of the training, whose error one step ahead does not say how it walks.
+    So it is trained on by its walk, in up to ``rounds`` rounds of `toolkit.styles.closed_loop`,
+    until its excess is at most `ENOUGH`. The best round counts. If none is better than before, so
+    many rounds follow at a lower rate.
 
     The clip should be a walk (`not_a_walk`). ValueError if several styles were learnt at once.
     """
@@ -91,19 +91,21 @@ def _in_closed_loop(made: NewStyles, clip: Clip, bank: StyleBank, compared: Comp
     floors = comparison.floors_of(made.bank, made.bank[name], name)
     prior, middle = prior_of(model, made.bank), comparison.middle(clip)
 
-    def walks() -> list[comparison.Walk]:
+    def walks(vector: Tensor) -> list[comparison.Walk]:
         return comparison.walks(clip, model, vector[None], made.bank, floors, rounds)
 
-    first = compared
+    start = compared
     for rate in RATES:
-        if not rounds or compared.excess <= ENOUGH or compared is not first:
+        if not rounds or compared.excess <= ENOUGH or compared is not start:
             break
         vector = bank[name]
         loop = ClosedLoop(model, middle, vector, prior, rate, rounds, seed)
-        walked = walks()
+        walked = walks(vector)
         for _ in progress_bar(range(rounds), desc="closed loop", unit="round", show=progress):
             vector = loop.round(walked)
-            walked = walks()
+            walked = walks(vector)
+            if not all(walk.states[-1].joints.isfinite().all() for walk in walked):
+                break  # the vector diverged
             (found,) = comparison.compared(clip, model, walked, floors)
             if found.rank() < compared.rank():
                 bank, compared = _with(made, vector), found

@@ -131,7 +131,7 @@ def prepare(clip: Clip, skeleton: Skeleton | None = None) -> Clip:
         return clip
     if own.names != skeleton.names or own.parents != skeleton.parents:
         odd = sorted(set(own.names) ^ set(skeleton.names))
-        what = f"not in both: {', '.join(odd[:6])}" if odd else "in another order"
+        what = f"not in both: {', '.join(odd[:6])}" if odd else "in another order or tree"
         raise ValueError(f"{clip.name}: expected the model's skeleton of {len(skeleton)} joints, "
                          f"got {len(own)} ({what})")
     gap = (own.offsets[1:] - skeleton.offsets[1:]).norm(dim=-1)
@@ -222,8 +222,9 @@ def _mirrored(clip: Clip) -> Clip:
 
 
 def _same_sign(x: Tensor) -> Tensor:
-    """Every joint's quaternions with the sign of their principal direction, one per window."""
-    q = x[:, 3:]
-    principal = torch.linalg.eigh(torch.einsum("mctn,mdtn->ncd", q, q))[1][..., -1].T
+    """Of q and −q, one rotation, a window has that nearer to the joint's principal direction."""
+    q = x[:, 3:]  # [M, 4, T, N]
+    scatter = torch.einsum("mctn,mdtn->ncd", q, q)
+    principal = torch.linalg.eigh(scatter).eigenvectors[..., -1].T  # [4, N], largest eigenvalue
     sign = torch.where((q * principal[:, None]).sum((1, 2), keepdim=True) < 0, -1.0, 1.0)
     return torch.cat((x[:, :3], q * sign), 1)

@@ -50,8 +50,7 @@ class Skip(nn.Module):
 class GraphConv(nn.Module):
     """Spatial graph convolution (equation 1): the mean over each of three subsets, with weights.
 
-    With ``pool`` the same product pools the nodes; channels are mixed after pooling, which costs
-    less.
+    With ``pool`` the same product pools the nodes.
     """
 
     def __init__(self, inputs: int, outputs: int, graph: SkeletonGraph, level: int,
@@ -92,8 +91,8 @@ class Resample(nn.Module):
     """Graph pooling ("down") and unpooling ("up") between ``level`` and the next (section 5.2).
 
     Down, nodes and pairs of frames are averaged. Up, nodes are copied and frames interpolated
-    linearly, each at its time. The published code stretches them to the ends; here contacts keep
-    their times and a long clip is restyled like its parts.
+    linearly, a coarse one at the time of its two. The published code stretches them to the ends;
+    here contacts keep their times and a long clip is restyled like its parts.
     """
 
     def __init__(self, graph: SkeletonGraph, level: int, direction: str):
@@ -117,6 +116,7 @@ class SpatialTemporal(nn.Module):
                  direction: str = ""):
         super().__init__()
         self.down, up = direction == "down", direction == "up"
+        # at the coarser level; unpooling comes after it
         self.spatial = GraphConv(inputs, outputs, graph, level + up, pool=self.down)
         self.after = Resample(graph, level, "up") if up else nn.Identity()
         self.temporal = nn.Conv2d(outputs, outputs, (1, 3), padding=(0, 1))

@@ -49,7 +49,7 @@ def style(code: Tensor, found: Tensor) -> Tensor:
 def diversity(first: Tensor, second: Tensor) -> Tensor:
     """Diversity-sensitive loss (equation 11), to be maximised: difference of two results.
 
-    Departure from equation 11: the term of a motion is at most `DIVERSE`, as in Yang et al. 2019,
+    Departure: the term of a motion is at most `DIVERSE`, as in Yang et al. 2019,
     who introduced this loss. Without the bound it exceeds the adversarial loss in short runs, and
     the results diverge.
     """

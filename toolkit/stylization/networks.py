@@ -156,6 +156,7 @@ class Discriminator(nn.Module):
 
     def forward(self, x: Tensor, domain: Tensor) -> Tensor:
         """``[B]`` of z-scores ``[B, 7, T, N]`` and domains ``[B]``."""
+        # without `Sizes.detailed` there is one summary, of x itself
         seen = zip(self.summaries, (x, x - x.mean(2, keepdim=True)), strict=False)
         features = torch.cat([summary(motion) for summary, motion in seen], -1)
         return self.branches(features).gather(1, domain[:, None])[:, 0]
@@ -265,10 +266,7 @@ def _none(graph: SkeletonGraph, domains: tuple[str, ...]) -> Statistics:
 
 
 def pretrained() -> Stylizer:
-    """The stylizer in the package, a small one trained on procedural clips.
-
-    `docs/embedded_model.md` describes it.
-    """
+    """The small stylizer in the package, of procedural clips (`docs/embedded_model.md`)."""
     return Stylizer.load(Path(__file__).with_name("stylizer.safetensors"))
 
 

@@ -28,7 +28,7 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
     """Restyle a clip (Park et al. 2021).
 
     The result has the rate, root path (section 4), bones, End Sites and foot contacts of the
-    source. The change of the motion is smoothed until it has no more jerk than the source (`calm`).
+    source. The change of the motion is smoothed, to hardly more jerk than the source's (`calm`).
 
     Parameters
     ----------
@@ -40,11 +40,10 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
         A clip with the target style (equation 5). Its domain is ``domain``, by default its own
         ``style``.
     blend
-        Style of the clip. With it the result is not the network's, but a blend: half of it, and
-        half the shift and scale from this style to the domain. It keeps more gaits than the network
-        (docs/embedded_model.md).
+        Style of the clip. With it the result is half the network's, and half the shift and scale
+        from this style to the domain. It keeps more gaits (docs/embedded_model.md).
     feet
-        Whether to remove foot skate (`lock_feet`), and to turn arms out of the body (`arms_out`).
+        Remove foot skate (`lock_feet`), and turn arms out of the body (`arms_out`).
 
     Raises
     ------
@@ -82,8 +81,8 @@ def stylize(model: Stylizer, clip: Clip, domain: str | None = None, seed: int = 
     rotations[:, joints] = result.rotations
     result = result.replace(skeleton=clip.skeleton, rotations=rotations, style=domain)
     result = result.resample(clip.fps)
-    # at a higher rate than 30 Hz the clip's last frames lie after the network's last one: they keep
-    # its pose and go on along the path
+    # at over 30 Hz the clip's last frames lie after the network's last one: they keep its pose and
+    # go on along the path
     at = torch.arange(len(clip)).clamp_max(len(result) - 1)
     on = clip.root_positions - clip.root_positions[at]
     return result.replace(rotations=result.rotations[at],
@@ -119,7 +118,7 @@ def jerk(x: Tensor) -> Tensor:
 def stances(clip: Clip) -> Tensor:
     """Contacts ``[F, 2]``; the faster the root, the faster a toe that stands (`PACE`).
 
-    At 30 Hz a runner's toe never is as slow as the toe of one who walks.
+    At 30 Hz a runner's toe is never as slow as a walker's.
     """
     pace = contacts.velocities(clip.root_positions[:, [0, 2]], clip.fps).norm(dim=-1, keepdim=True)
     return torch.maximum(contacts.detect(clip), contacts.detect(clip, speed=PACE * pace))
@@ -165,7 +164,7 @@ def settled(change: Tensor, standing: np.ndarray, level: float = 0.0) -> Tensor:
     """
     frames, jolt = len(change), (-1.0, 3.0, -3.0, 1.0)
     still = STILL * (standing[1:] & standing[:-1])
-    # the diagonal of the system of equations and the three below it
+    # bands[k, i]: entry (i + k, i) of I + SMOOTH D₃ᵀD₃ + STILL D₁ᵀS D₁ + level S, S the stances
     bands = np.zeros((4, frames))
     for k, m in product(range(4), repeat=2):
         if k + m < 4:

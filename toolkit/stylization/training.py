@@ -1,8 +1,7 @@
 """Training of the stylizer (Park et al. 2021, section 6 and appendix A.2).
 
-A run that was stopped and resumed ends with the same weights as one that was not, for the reason
-that `toolkit.training.loop` gives. (With a budget of time the rates follow the clock; the batches
-are still the same.)
+A resumed run ends with the same weights as one that was not stopped, see `toolkit.training.loop`.
+(With a budget of time the rates follow the clock; the batches are still the same.)
 """
 
 import json
@@ -25,7 +24,9 @@ from toolkit.stylization.networks import Discriminator, Sizes, Stylizer, build
 from toolkit.training.checkpoint import Checkpoint, Saver
 
 INIT, BATCH = range(2)  # what draws random numbers
-NETWORKS = ("generator", "encoder", "mapping", "discriminator")
+#: Adam's first rates of the networks, the paper's.
+RATES = {"generator": 1e-4, "encoder": 1e-6, "mapping": 1e-4, "discriminator": 1e-6}
+NETWORKS = tuple(RATES)
 #: Adam's, of the published code. The paper prints (0.99, 0.999), which is slow for a GAN.
 BETAS = (0.9, 0.99)
 
@@ -43,13 +44,12 @@ class Config:
     iterations: int = 100_000  # style codes come from noise and from references by turns
     batch: int = 8
     sizes: Sizes = field(default_factory=Sizes)
-    rates: dict[str, float] = field(  # Adam's
-        default_factory=lambda: dict(zip(NETWORKS, (1e-4, 1e-6) * 2, strict=True)))
+    rates: dict[str, float] = field(default_factory=RATES.copy)  # Adam's
     final_rate: float = 1.0  # rates at the end as a share of the first, on a cosine between
     weights: dict[str, float] = field(  # λ
         default_factory=lambda: dict.fromkeys((*losses.LOSSES, "r1"), 1.0))
     seconds: float = math.inf  # training ends after this time or after the iterations
-    other_window: bool = False  # a source's own code is that of another window of its domain
+    other_window: bool = False  # a source's own code is that of a window drawn from its domain
     fading: bool = False  # "ds" only for codes from noise, second result constant, weight falls
     warm_up: int = 0  # first iterations, which train G and E alone by "id", as an autoencoder
     r1_every: int = 1  # iterations from one R1 term to the next, with as many times its weight
@@ -87,7 +87,7 @@ class Config:
             "sizes": Sizes.small(), "iterations": iterations, "final_rate": 0.1,
             "other_window": True, "fading": True, "warm_up": min(300, iterations // 5),
             "r1_every": 4,
-            "rates": dict(zip(NETWORKS, (2e-3, 1e-3, 1e-3, 1e-3), strict=True)),
+            "rates": dict.fromkeys(NETWORKS, 1e-3) | {"generator": 2e-3},
             "weights": dict.fromkeys(losses.LOSSES, 1.0) | {"r1": 5.0},
         } | changes)
 
@@ -101,8 +101,6 @@ class Config:
 @dataclass(eq=False)
 class Run:
     """What training made; ``history``: per `Config.log_every` iterations the means of the terms.
-
-    ``stylizer.save`` writes a file.
     """
 
     stylizer: Stylizer
@@ -129,7 +127,7 @@ class Batches:
     def __getitem__(self, n: int) -> dict[str, Tensor]:
         """Tensors by name.
 
-        ``x`` and ``domain`` of the sources and ``kin``, other motions of their domains; the
+        ``x`` and ``domain`` of the sources and ``kin``, motions drawn from their domains; the
         ``target`` domains, ``references [2, B, …]`` and ``noise [2, B, 16]``.
         """
         b, draw = self.config.batch, generator(self.config.seed, BATCH, n)
@@ -163,6 +161,7 @@ def fit(motions: Motions, config: Config | None = None,
     for name in NETWORKS:
         network = discriminator if name == "discriminator" else getattr(stylizer, name)
         adams[name] = torch.optim.Adam(network.parameters(), config.rates[name], BETAS, fused=True)
+    # an example of each value, as `model_files.alike` compares them
     kinds = {"step": 0, "elapsed": 0.0, "history": [{"": 0.0}], "sums": {"": (0.0, 0.0)}}
     file = Checkpoint("stylization_checkpoint", both, adams, config.fixed(), kinds)
     state = {"step": 0, "elapsed": 0.0, "history": [], "sums": {}}

@@ -64,7 +64,7 @@ def global_position(clip: Clip, real: Clip) -> float:
 
     The mean per-joint position error (Ionescu et al. 2014, Human3.6M) without alignment. It is L2P
     of Harvey et al. 2020 (*Robust motion in-betweening*) in metres, per joint: theirs is the norm
-    over all joints of z-scores, whose statistics differ from one training set to the next.
+    over all joints of z-scores.
     """
     check_pair(clip, real)
     apart = clip.global_positions - real.global_positions.to(clip.global_positions)

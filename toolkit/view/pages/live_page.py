@@ -83,8 +83,7 @@ def web(model, bank, path: str | os.PathLike, *, title: str = "A character under
         As in `toolkit.view.play`, but it follows the model's joints without foot IK of its own.
     characters
         Number of characters. All but the first, which the user steers, walk on rings around the
-        start, each in the next style of the bank at its natural speed. The page computes all of
-        them together.
+        start, each in the next style of the bank at its natural speed.
 
     Raises
     ------

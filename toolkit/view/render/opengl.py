@@ -8,9 +8,11 @@ missing.
 import os
 import subprocess
 import sys
+import warnings
 from functools import cache
 
-INSTALL = "apt-get install -y --no-install-recommends libegl1 libgl1-mesa-dri"
+MISSING = ("pyvista finds no OpenGL here, so pictures take longer. On Debian or Ubuntu: "
+           "apt-get install -y --no-install-recommends libegl1 libgl1-mesa-dri")
 PROBE = """
 import vtkmodules.vtkRenderingOpenGL2
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
@@ -43,12 +45,11 @@ def opengl_works() -> bool:
 
 @cache
 def explain_missing_opengl() -> None:
-    """Print once how to install OpenGL for pyvista."""
-    print("pyvista finds no OpenGL here, so pictures take longer. On Debian or Ubuntu: "
-          f"{INSTALL}")
+    """Warn once how to install OpenGL for pyvista."""
+    warnings.warn(MISSING, stacklevel=3)
 
 
 if __name__ == "__main__":
     if not opengl_works():
-        explain_missing_opengl()
+        print(MISSING)
         sys.exit(1)

@@ -3,9 +3,9 @@
 // Character(data) steps and poses; advance steps many, which share a network, at once. Kernel(data) also takes user input and the
 // triangle's blend; it is the `model` of controller.js.
 // data = {
-//   network, rules, body: see network.js, frame.js, pose.js;  start: the state in the first frame;  skeleton: see scene.js
+//   network, rules, body: see network.js, frame.js, pose.js;  start: the state in the first frame;  skeleton: see body.js
 //   life: {amount, period}: how the styles wander, see life.js
-//   styles: [names], labels: {name: in menus}, vectors: numbers [styles * D];  turn, run, ease: as in view/pages/live_page.py
+//   styles: [names], labels: {name: in menus}, vectors: numbers [styles * D];  speeds: [m/s], natural;  gate: see findings.js;  turn, run, ease: as in view/pages/live_page.py
 //   others: [{style, radius, angle, way, speed, tint}]: characters that walk on rings around the start, of a crowd; [] without
 //   crowd: the skeleton of these bodies, or null
 //   bvh: {header, joints, centimetre} of a recording;  traits: first values for controller.js

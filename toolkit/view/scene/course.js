@@ -2,7 +2,7 @@
 // and classes these are; shots/feasibility.py).
 //
 // rules: the constants of following.py and feasibility.py by name. Metres, seconds, pairs [x, z] on the floor; a table has one row
-// per frame. A pair of a point and a direction is as in Python; infinity takes the place of None where a number is compared.
+// per frame. Points and directions are pairs, as in Python. Infinity stands for Python's None in "never" and "no limit".
 export const EASINGS = {
   linear: (t) => t,
   smooth: (t) => t * t * (3 - 2 * t),

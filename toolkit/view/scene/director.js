@@ -10,7 +10,7 @@ import { summary } from "./findings.js";
 import { colorOf, floorMap } from "./floor_map.js";
 import { glb } from "./gltf.js";
 import { LIMBS } from "./pins.js";
-import { make } from "./player.js";
+import { download, make } from "./player.js";
 import { Scene } from "./scene.js";
 import { missed } from "./shot.js";
 import { button, shotForm } from "./shot_form.js";
@@ -141,11 +141,6 @@ export function render({ model, el }) {
   const skin = data.skeleton.mesh.own ? null : unpack(data.skeleton.mesh); // a character's own mesh has joints of its own
   const bodies = scene ? [scene.body] : [], pale = [];
 
-  function download(as, content) {
-    const link = make("a", "", null, { download: as, href: URL.createObjectURL(new Blob([content])) });
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
-  }
   function complain(text) {
     problem = text;
     changed("look");

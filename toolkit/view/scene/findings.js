@@ -4,12 +4,12 @@
 // pack. A finding: {kind, joint, start, end, value, limit, unit, excess, characters}.
 import { Tree } from "./body.js";
 import { round } from "./course.js";
+import { cross } from "./pose.js";
 
 const LIVE = { WATCHED: 600, SHOWN: 240, AGAIN: 120 }; // frames that are looked at, whose defects are shown, and between two looks
 const SIDES = ["left", "right"];
 const minus = (a, b) => a.map((v, i) => v - b[i]), dot = (a, b) => a.reduce((sum, v, i) => sum + v * b[i], 0), size = (a) => Math.hypot(...a);
 const plus = (a, b, share = 1) => a.map((v, i) => v + share * b[i]), flat = ([x, , z]) => [x, z];
-const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const half = (seconds, fps) => Math.max(1, round((seconds * fps) / 2));
 const sum = (values) => values.reduce((total, v) => total + v, 0), least = (values) => values.reduce((a, b) => Math.min(a, b), Infinity);
 
@@ -47,7 +47,8 @@ function differences(path, times, k = 1) {
 }
 
 function* feet(at, fps, gate) {
-  const { LOW, FLAT, TOUCH, STANCE, REST, ALIKE, LIFTED } = gate, { hips, left_toe: left, right_toe: right } = at;
+  const { LOW, FLAT, TOUCH, STANCE, BEHIND, STROLL, STILL, SLOW, REST, ALIKE, LIFTED } = gate;
+  const { hips, left_toe: left, right_toe: right } = at;
   const floor = quantile(left.map((p, f) => Math.min(p[1], right[f][1])), 0.05), frames = hips.length;
   const body = moved(hips.map(flat), fps, TOUCH), travel = body.map((v) => (v ? size(v) : NaN)), lowest = [], strides = [];
   for (const side of SIDES) {
@@ -55,12 +56,12 @@ function* feet(at, fps, gate) {
     const stands = low.some(Boolean) ? quantile(heights.filter((_, f) => low[f]), 0.25) : least(heights);
     const whole = low.map((is, f) => is && heights[f] - stands < FLAT), velocity = moved(toe, fps, TOUCH);
     const behind = whole.map((is, f) => is && velocity[f]
-      && dot(flat(velocity[f]), body[f]) / Math.max(travel[f], 0.05) < 0.5 * Math.max(travel[f], 0.4));
+      && dot(flat(velocity[f]), body[f]) / Math.max(travel[f], 0.05) < BEHIND * Math.max(travel[f], STROLL));
     const heel = speed(ankle, fps, TOUCH), slides = velocity.map((v, f) => (v ? Math.min(size(v), heel[f]) : NaN));
     for (const [kind, held] of [["slide", STANCE], ["short slide", TOUCH]]) yield [kind, `${side}_toe`, only(slides, throughout(behind, held, fps))];
-    const still = whole.map((is, f) => is && velocity[f] && size(velocity[f]) < 0.1);
+    const still = whole.map((is, f) => is && velocity[f] && size(velocity[f]) < STILL);
     yield ["pivot", `${side}_foot`, only(speed(ankle.map(flat), fps, TOUCH), throughout(still, TOUCH, fps))];
-    lowest.push(quantile(toe.filter((_, f) => velocity[f] && size(velocity[f]) < 0.3).map((p) => p[1]), 0.05));
+    lowest.push(quantile(toe.filter((_, f) => velocity[f] && size(velocity[f]) < SLOW).map((p) => p[1]), 0.05));
     strides.push(velocity.map((v, f) => (v ? size(minus(flat(v), body[f])) : NaN)));
   }
   const window = 2 * Math.max(1, round((REST * fps) / 2)) + 1;

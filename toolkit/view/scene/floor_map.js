@@ -3,10 +3,10 @@
 // floorMap(parent, desk, {select, edit}): `select({list: "path", k} or null)` is called when something is chosen, `edit(change)` to
 //   change the shots. Returns {draw(selected, seconds), fit, toggle}. z is upwards and x to the left, as seen from behind a character.
 import { LIMBS } from "./pins.js";
-import { make } from "./player.js";
+import { COLORS, make } from "./player.js";
 import { beside } from "./shot.js";
 
-const NS = "http://www.w3.org/2000/svg", COLORS = ["#7b68c4", "#2fa596", "#d6598b", "#c9a227", "#5b8def", "#8a8f98"];
+const NS = "http://www.w3.org/2000/svg";
 const CLOSE = 14, ROUGH = 0.08, LEAST = 0.3, SPREAD = 1.15; // pixels; metres of a drawn path that are left out; shortest path; margin
 
 const TICKS = [1, 2, 5, 10, 20, 50, 100, 200]; // metres between lines

@@ -120,7 +120,7 @@ export function steer(old, command, rules, x, next) {
 function toes({ history, joints }, rules) {
   const [x, z, sin, cos] = history.subarray(history.length - 4), [s, c] = unit([sin, cos]);
   return rules.legs.map(([, , joint]) => {
-    const [px, py, pz] = three(joints, rules.width * joint);
+    const [px, py, pz] = three(joints, rules.width * joint + rules.position);
     return [c * px + s * pz + x, py, c * pz - s * px + z];
   });
 }

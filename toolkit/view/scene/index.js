@@ -3,17 +3,13 @@ import { Kernel, Model } from "./character.js";
 import { render as controller } from "./controller.js";
 import { render as director } from "./director.js";
 import { Crowd } from "./crowd.js";
-import { make, player, render as clips } from "./player.js";
+import { download, player, render as clips } from "./player.js";
 import { Scene } from "./scene.js";
 
 // A character in an element of a page without a notebook, from the data of view/pages/live_page.py.
 function character(element, data) {
   const kernel = new Kernel(data);
-  kernel.download = (text) => { // a recording
-    const link = make("a", "", null, { download: "walk.bvh", href: URL.createObjectURL(new Blob([text])) });
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
-  };
+  kernel.download = (text) => download("walk.bvh", text); // a recording
   kernel.run();
   controller({ model: kernel, el: element });
   return { kernel, ...element.toolkit };

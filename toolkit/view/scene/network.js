@@ -13,20 +13,6 @@ import { kernel } from "./simd.js";
 const PANEL = 8, TILE = 4, DOUBLE = 8, PAGE = 65536;
 const rounded = (n, to) => to * Math.ceil(n / to);
 
-// y = W x, in doubles. Eight sums under way keep a processor busy; V8 checks bounds of what it reads, and is still near its limit.
-function multiply(w, x, y) {
-  const n = x.length;
-  for (let o = 0, p = 0; o < y.length; o += PANEL) {
-    let a = 0, b = 0, c = 0, d = 0, e = 0, f = 0, g = 0, h = 0;
-    for (let i = 0; i < n; i++, p += PANEL) {
-      const v = x[i];
-      a += v * w[p], b += v * w[p + 1], c += v * w[p + 2], d += v * w[p + 3];
-      e += v * w[p + 4], f += v * w[p + 5], g += v * w[p + 6], h += v * w[p + 7];
-    }
-    y[o] = a, y[o + 1] = b, y[o + 2] = c, y[o + 3] = d, y[o + 4] = e, y[o + 5] = f, y[o + 6] = g, y[o + 7] = h;
-  }
-}
-
 // complementary error function, to 1.2e-7 of its value (Press et al., Numerical Recipes)
 function erfc(v) {
   const t = 1 / (1 + 0.5 * Math.abs(v)), terms = [0.17087277, -0.82215223, 1.48851587, -1.13520398, 0.27886807, -0.18628806,
@@ -44,7 +30,8 @@ function expectedElu(m, deviation) {
 
 const elu = (v) => (v > 0 ? v : Math.exp(v) - 1);
 
-// What simd.js computes for one character, in JavaScript.
+// What simd.js computes for one character, in JavaScript: y += Σ gate W x, in doubles. Eight sums under way keep a processor busy; V8
+// checks bounds of what it reads, and is still near its limit.
 function blend(y, w, x, gates, { rows, experts, panels }) {
   for (let o = 0, p = 0; o < PANEL * panels; o += PANEL) {
     for (let k = 0; k < experts; k++) {
@@ -75,6 +62,7 @@ export class Network {
     Object.assign(this, { means: means.map(numbers), deviations: deviations.map(numbers), epsilon, dropped, count: 0 });
     this.gating = gating.layers.map((layer, i) => ({
       weights: numbers(layer), x: new Float64Array(gating.widths[i] + 1).fill(1), y: new Float64Array(rounded(gating.widths[i + 1], PANEL)),
+      rows: gating.widths[i] + 1, experts: 1, panels: Math.ceil(gating.widths[i + 1] / PANEL),
     }));
     let end = 0;
     this.experts = experts.layers.map((layer, i) => {
@@ -99,11 +87,13 @@ export class Network {
       if (more > 0) memory.grow(more);
       this.memory = memory.buffer;
     } else this.memory = new ArrayBuffer(bytes);
+    // WebAssembly memory that grows keeps what is in it, but ends old views; a new ArrayBuffer is empty.
     for (const layer of this.experts) {
       const weights = new Float32Array(this.memory, layer.at, layer.weights.length);
       if (first || !this.simd) weights.set(layer.weights);
       layer.weights = weights;
     }
+    // behind the weights, one after the other: x of each layer, gates, y
     let at = this.weights;
     const parts = lengths.map((n) => new Float64Array(this.memory, (at += DOUBLE * n) - DOUBLE * n, n));
     this.experts.forEach((layer, i) => (layer.x = parts[i]));
@@ -141,11 +131,12 @@ export class Network {
   gate(phase, c, n) {
     const [first, second, last] = this.gating, mean = this.means[1], deviation = this.deviations[1], [{ experts }] = this.experts;
     for (let i = 0; i < phase.length; i++) first.x[i] = (phase[i] - mean[i]) / deviation[i];
+    const multiply = (layer) => blend(layer.y.fill(0), layer.weights, layer.x, [1], layer);
     for (const [layer, next] of [[first, second], [second, last]]) {
-      multiply(layer.weights, layer.x, layer.y);
+      multiply(layer);
       for (let i = 0; i < next.x.length - 1; i++) next.x[i] = elu(layer.y[i]);
     }
-    multiply(last.weights, last.x, last.y);
+    multiply(last);
     const [at, step] = this.place(c, n, experts), { gates } = this;
     let high = -Infinity, sum = 0;
     for (let k = 0; k < experts; k++) high = Math.max(high, last.y[k]);

@@ -2,6 +2,7 @@
 //
 // rules: the constants of both, and FPS; body: see pose.js; figure: {spine, neck: [joint], arms: [[shoulder, elbow, hand]], facing, names},
 // right before left. A pin: {at, to, right_hand, left_hand, right_foot, left_foot, look, pose}, null where there is none.
+import { round } from "./course.js";
 import { unit } from "./frame.js";
 import { across, between, cross, dot, kinematics, minus, multiply, plus, rotate, twoBone } from "./pose.js";
 
@@ -130,7 +131,7 @@ function posed(found, turned, root, body, { facing: axis, names }) {
 // Changes world rotations and the root's place of a frame, counted from 1, so that pins are met; `plant` puts the toes [right, left].
 export function pinned(turned, places, frame, { shot: { pins }, course }, body, figure, r, plant) {
   const now = frame / r.FPS, { curve, distance } = course;
-  const there = (time) => curve.point(distance[Math.min(roundHalf(time * r.FPS), distance.length - 1)]);
+  const there = (time) => curve.point(distance[Math.min(round(time * r.FPS), distance.length - 1)]);
   const near = pins.filter((pin) => LIMBS.every((limb) => pin[limb] == null || [pin.at, endOf(pin)].every((time) =>
     Math.hypot(there(time)[0] - pin[limb][0], there(time)[1] - pin[limb][2]) <= r.FAR)));
   const parts = Object.fromEntries(PARTS.map((part) => [part, weights(near, part, now, r)]));
@@ -179,7 +180,7 @@ export function pinned(turned, places, frame, { shot: { pins }, course }, body, 
     const [a, b, c] = arms[side].map((j) => places[j]), out = times(left, side ? 1 : -1);
     let upper = minus(b, a), lower = minus(c, b);
     for (const [to, w] of goals[limb].found) {
-      const pole = plus(plus(cross(left, unit(minus(to, a))), out, 0.4), plus(DOWN, back), 0.3), [elbow, hand] = twoBone(a, b, c, to, null, r.SOFT, pole);
+      const pole = plus(plus(cross(left, unit(minus(to, a))), out, 0.4), plus(DOWN, back), 0.3), [elbow, hand] = twoBone(a, b, c, to, null, { soft: r.SOFT }, pole);
       upper = swung(upper, minus(elbow, a), minus(out, back), w), lower = swung(lower, minus(hand, elbow), minus(out, back), w);
     }
     const aims = [between(minus(b, a), upper), between(minus(c, b), lower)];
@@ -187,12 +188,11 @@ export function pinned(turned, places, frame, { shot: { pins }, course }, body, 
   });
   plant(FEET.map((limb, side) => plus(before[body.legs[side][3]], minus(goals[limb].goal, before[body.legs[side][2]]))));
 }
-const roundHalf = (v) => { const whole = Math.floor(v), rest = v - whole; return rest < 0.5 || (rest === 0.5 && whole % 2 === 0) ? whole : whole + 1; };
 
 // the pins that poses miss and why, a line each; joints(frame): places of all joints
 export function missedPins({ shot: { pins }, frames }, joints, body, { arms }, r) {
   return pins.flatMap((pin, k) => {
-    const first = Math.max(roundHalf(pin.at * r.FPS) - 1, 0), last = roundHalf(endOf(pin) * r.FPS) - 1;
+    const first = Math.max(round(pin.at * r.FPS) - 1, 0), last = round(endOf(pin) * r.FPS) - 1;
     if (last < first || last >= frames.length) return [`pins[${k}] is at ${Number(endOf(pin).toPrecision(6))} s, after the end of the motion`];
     return LIMBS.flatMap((limb, i) => {
       if (pin[limb] == null) return [];

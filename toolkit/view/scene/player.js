@@ -9,7 +9,7 @@
 import { decode } from "./numbers.js";
 import { Scene } from "./scene.js";
 
-const COLORS = ["#7b68c4", "#2fa596", "#d6598b", "#c9a227", "#5b8def", "#8a8f98"];
+export const COLORS = ["#7b68c4", "#2fa596", "#d6598b", "#c9a227", "#5b8def", "#8a8f98"];
 const FOOT = { right: "#e39a6c", left: "#6a9fcb" };
 const STILL = 12; // pictures without a change before a paused picture gets smooth edges
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2];
@@ -48,6 +48,13 @@ export function make(tag, className, parent, attributes = {}) {
   if (className) element.className = className;
   parent?.append(element);
   return element;
+}
+
+// saves a text or a Blob as a file
+export function download(name, content) {
+  const link = make("a", "", null, { download: name, href: URL.createObjectURL(new Blob([content])) });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }
 
 // Poses of one clip, interpolated between frames.

@@ -41,10 +41,8 @@ function fromForwardUp(forward, up) {
   return q[0] < 0 ? q.map((v) => -v) : q;
 }
 
-const STRAIGHT = 0.1; // sine of the angle below which a thigh says less and less where the knee goes
-
-// knee and ankle of a leg whose ankle should be at the target, soft near full stretch
-export function twoBone(a, b, c, target, left, soft = 0.01, pole = null) {
+// knee and ankle of a leg whose ankle should be at the target, soft near full stretch; soft, straight: see rules.py's Body
+export function twoBone(a, b, c, target, left, { soft, straight }, pole = null) {
   const reach = minus(target, a), upper = Math.hypot(...minus(b, a)), lower = Math.hypot(...minus(c, b));
   const wanted = Math.hypot(...reach), full = upper + lower, margin = Math.max(soft * full, 1e-9);
   const line = unit(wanted > 1e-9 ? reach : plus(minus(c, a), [1, 1, 1], 1e-9)), over = wanted - (full - margin);
@@ -54,7 +52,7 @@ export function twoBone(a, b, c, target, left, soft = 0.01, pole = null) {
   if (left) { // a knee that bends backwards is mirrored to the front; that of a straight leg goes there
     const front = cross(line, unit(left));
     off = plus(off, front, -2 * Math.min(dot(off, front), 0));
-    off = plus(off, front, Math.max(STRAIGHT - Math.hypot(...off), 0));
+    off = plus(off, front, Math.max(straight - Math.hypot(...off), 0));
   }
   const out = Math.hypot(...off) > 1e-5 ? unit(off) : across(line);
   const along = (upper ** 2 - lower ** 2 + distance ** 2) / (2 * distance);
@@ -84,7 +82,7 @@ function plantFeet(body, turned, places, toes) {
   const left = minus(...[1, 0].map((side) => places[body.legs[side][0]]));
   body.legs.forEach(([hip, knee, foot, toe], side) => {
     const [a, b, c] = [hip, knee, foot].map((joint) => places[joint]);
-    const [middle, end] = twoBone(a, b, c, plus(minus(three(toes, 3 * side), places[toe]), c), left);
+    const [middle, end] = twoBone(a, b, c, plus(minus(three(toes, 3 * side), places[toe]), c), left, body);
     turned[hip] = multiply(between(minus(b, a), minus(middle, a)), turned[hip]);
     turned[knee] = multiply(between(minus(c, b), minus(end, middle)), turned[knee]);
   });
@@ -158,11 +156,11 @@ export function plant(next, before, body, rules) {
     const [, knee, foot, toe] = body.legs[side], held = Math.min(2 * contacts[side], 1), lower = (v) => [v[0], v[1] - drop[0], v[2]];
     let goal = target;
     if (held < 1) {
-      [, goal] = twoBone(lower(a), lower(b), lower(ankle), target, left, rules.swing + held * (rules.soft - rules.swing));
+      [, goal] = twoBone(lower(a), lower(b), lower(ankle), target, left, { straight: body.straight, soft: rules.swing + held * (rules.soft - rules.swing) });
       const [gx, gy, gz] = plus(goal, sole);
       toes.set([c * gx + s * gz + x, gy, c * gz - s * gx + z], 3 * side);
     }
-    const [middle, end] = twoBone(a, b, ankle, goal, left);
+    const [middle, end] = twoBone(a, b, ankle, goal, left, body);
     [[knee, middle], [foot, end], [toe, plus(end, sole)]].forEach(([point, place]) =>
       joints.set(place, rules.width * body.own[point] + rules.position));
   });

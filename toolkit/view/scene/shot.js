@@ -183,7 +183,7 @@ export function data(shots, more = {}) {
   return { version: 1, shots: lean(shots), ...more };
 }
 
-const layersOf = (blend) => (Array.isArray(blend) ? blend : [blend]);
+export const layersOf = (blend) => (Array.isArray(blend) ? blend : [blend]);
 
 // natural speed of a blend: of blends by layer, the mean
 export function speedOf(blend, { styles, speeds }) {
@@ -253,12 +253,14 @@ function shared({ shot, course: a, heading }, { shot: before, course: b, heading
     for (let k = 0; k < count; k++) if (!same(k)) return k;
     return Infinity;
   };
+  // up to which arc length the curves and their turns are equal, and up to which time the styles
   const [c, d] = [a.curve, b.curve], most = (one, two) => Math.max(one.length, two.length);
   const sample = differs(most(c.at, d.at), (k) => c.x[k] === d.x[k] && c.z[k] === d.z[k] && c.at[k] === d.at[k]);
   const knot = differs(most(c.knots, d.knots), (k) => c.knots[k] === d.knots[k] && heading.offsets[k] === other.offsets[k]);
   const metres = Math.min(sample < Infinity ? c.at[sample - 1] ?? 0 : sample, knot < Infinity ? c.knots[knot - 1] ?? 0 : knot);
   const style = differs(most(shot.styles, before.styles), (k) => JSON.stringify(shot.styles[k]) === JSON.stringify(before.styles[k]));
   const seconds = style < Infinity ? shot.styles[style - 1]?.time ?? -1 : style, ahead = round(LEAD * FPS);
+  // a command looks LEAD ahead in time, and BEFORE along the curve (nearest)
   const at = (row, frame) => row[Math.min(frame, row.length - 1)];
   const same = (frame) => at(a.distance, frame) === at(b.distance, frame) && at(a.speed, frame) === at(b.speed, frame);
   return Math.min(a.distance.length, differs(a.distance.length, (frame) => frame / FPS <= seconds && same(frame)

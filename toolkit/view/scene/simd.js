@@ -36,6 +36,9 @@ export const added = (total, a, b, fused) => (fused ? [a, b, total, vector(263)]
 export const bodyOf = (locals, code) => sized([list(locals), code, 0x0b]); // of a function; locals = [[count, type]]
 
 function compute(many, fused) {
+  // Locals. Counters: panel, expert, tile. Addresses: expertAt of the weights of an expert in a panel, row and end of what half()
+  // reads of them, at of the inputs, gate and out of the gates and sums of a tile. stride: bytes of y of a character. Vectors: value,
+  // input, sum.
   const [y, w, x, gates, rows, experts, panels] = Array.from({ length: 7 }, (_, i) => i), first = many ? 8 : 7;
   const [panel, expert, tile, expertAt, row, end, at, gate, out, stride] = Array.from({ length: 10 }, (_, i) => first + i);
   const pairs = many ? [0, 1] : [0, 1, 2, 3], columns = 2 * COLUMNS / pairs.length; // of lanes, and of sums

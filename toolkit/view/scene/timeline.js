@@ -6,6 +6,7 @@ import { draw, pool, set } from "./floor_map.js";
 import { keyed } from "./course.js";
 import { told } from "./findings.js";
 import { PARTS } from "./pins.js";
+import { layersOf } from "./shot.js";
 
 const PAD = 14, RULER = 26, BAND = 44, SPEED = 50, PAUSE = 20, SAMPLES = 160, STEP = 0.1, APART = 0.02; // pixels; seconds
 const TOPS = { arrivals: 17, ghosts: 17, pins: 16, styles: RULER + BAND - 8, speeds: 0, holds: RULER + BAND + SPEED + 11 };
@@ -15,7 +16,6 @@ const STEPS = [0.5, 1, 2, 5, 10, 20, 60]; // seconds between lines
 const WORDS = { pins: "Pin", arrivals: "Arrival", ghosts: "Onion skin", styles: "Style key", speeds: "Speed key", holds: "Pause" };
 
 export const HEIGHT = RULER + BAND + SPEED + PAUSE + 4;
-const layersOf = (blend) => (Array.isArray(blend) ? blend : [blend]);
 
 // colour of a style, different from those of the other styles that the shots use
 export function hueOf({ styles, shots }, name) {

@@ -56,7 +56,7 @@ def corners(bank, weights: Mapping[str, float],
     ``others`` fill up, with share zero.
     """
     for name in weights:
-        bank[name]
+        bank[name]  # raises if unknown
     shares = [float(w) for w in weights.values()]
     if len(shares) > 3 or not _fit(shares):
         raise ValueError("a blend needs one to three weights >= 0 and not all zero, got "
