@@ -26,6 +26,7 @@ env: $(VENV)/.complete
 $(VENV)/.complete: pyproject.toml constraints.txt constraints-cpu.txt constraints-cuda.txt
 	@echo "Installing into $(VENV): a few minutes, once. As root on Debian or Ubuntu, it also installs"
 	@echo "$(OPENGL) into the system by apt-get, if pyvista finds no OpenGL."
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed, for example: make PYTHON=python3.12")'
 	$(PYTHON) -m venv $(VENV)
 	@echo "1 of 2: torch"
 	$(TORCH)
