@@ -46,8 +46,13 @@ def normalise(curves: Tensor, fps: float, half: float = SECOND) -> Tensor:
 
 def smooth(curves: Tensor, fps: float) -> Tensor:
     """Second-order zero-phase Butterworth low-pass at `CUTOFF` along the first axis."""
-    low_pass = scipy.signal.butter(2, CUTOFF, fs=fps, output="sos")
-    return through_numpy(lambda c: scipy.signal.sosfiltfilt(low_pass, c, axis=0), curves)
+    return through_numpy(lambda c: scipy.signal.sosfiltfilt(_low_pass(fps), c, axis=0), curves)
+
+
+@functools.cache
+def _low_pass(fps: float) -> np.ndarray:
+    """Coefficients of the filter."""
+    return scipy.signal.butter(2, CUTOFF, fs=fps, output="sos")
 
 
 def speed(positions: Tensor, fps: float) -> Tensor:
