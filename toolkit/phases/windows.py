@@ -3,7 +3,9 @@
 Curves are ``[F, ...]``, best in float64. The length of a window is given by half of it, in seconds.
 """
 
+import functools
 
+import numpy as np
 import scipy
 import torch
 from torch import Tensor
