@@ -8,7 +8,7 @@ from course.checks import Exercise, draws, equals, same_as, shows, traced, truth
 
 import toolkit as tk
 
-#: Degrees of the knee of exercise 09.2, whose bones have 43 and 42 cm, with a target at 84 cm.
+#: Degrees of the knee of exercise 09.2, whose bones have 50 and 45 cm, with a target at 94 cm.
 KNEE = math.degrees(math.acos((0.5**2 + 0.45**2 - 0.94**2) / (2 * 0.5 * 0.45)))
 
 
