@@ -177,7 +177,7 @@ SYMBOLS = {
     "p": ("#c9701e", "phases of both hands and both feet", "data.phases[style]"),
     "α": (
         "#c9701e",
-        "gates: shares of the experts, computed from p by the gating network Ω",
+        "gates: shares of the experts, computed from normalised p by the gating network Ω",
         "model.gating(p)",
     ),
     "z": ("#2f8f5b", "output: the next frame", "data.outputs[style]"),
