@@ -167,8 +167,10 @@ def fetch(name: str, root: str | os.PathLike | None = None,
     source = str(source or origin.url)
     if styles is not None:
         styles = [styles] if isinstance(styles, str) else list(styles)
-        if name != "100style" or not styles:
-            raise ValueError(f"single styles are fetched of 100style, not of {name}; got {styles}")
+        if name != "100style":
+            raise ValueError(f"single styles are fetched of 100style, not of {name}")
+        if not styles:
+            raise ValueError("styles names no style; None fetches all")
     folder.parent.mkdir(parents=True, exist_ok=True)
     work, lock = (folder.with_name(f".{folder.name}.{kind}") for kind in ("fetch", "lock"))
     try:
