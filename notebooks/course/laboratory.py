@@ -79,7 +79,7 @@ def sliders(seconds: float = 8.0) -> Page:
             "name": name, "curves": curves,
             "phase": [[round(x, 3) for x in row] for row in truth.phase[::2].T.tolist()],
             "hertz": (turns.mean(0).abs() * clip.fps / (2 * torch.pi)).tolist()})
-    names = ["ahead", "up", "to the left", "speed over the hips"]
+    names = ["ahead", "up", "to the left", "speed relative to the hips"]
     data = {"styles": styles, "fps": 30, "names": names}
     page = Path(__file__).with_suffix(".html").read_text(encoding="utf-8")
     return show(page.replace("DATA", embed(data)), 620)
