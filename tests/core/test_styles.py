@@ -329,7 +329,7 @@ def test_what_a_walk_shows_is_compared_by_sorted_values_and_by_its_tempo(zombie)
     for side in ("left", "right"):
         places[..., roles[f"{side}_hip"], 1] = 0.9
     way = torch.tensor([0.0, 1.2]).expand(299, 2, 2)
-    seen = closed_loop.distributions(layout, places, way)
+    seen = closed_loop.distributions(layout, places, way, places[..., 0, 1:])
     assert torch.allclose(seen["legs"], torch.tensor(0.9))
     assert torch.equal(seen["root's speed"][0], torch.tensor([0.0, 1.2]))
     assert sorted(seen["hands"].unique().tolist()) == [0.0, 1.0]
@@ -378,7 +378,8 @@ def test_rounds_in_closed_loop_bring_the_walk_nearer_to_the_clip(fast, zombie):
     roots = root_frames(zombie)
     places = roots.to_local(zombie.global_positions[:, list(model.layout.skeleton.feature_joints)])
     way = roots.turn_to_local(contacts.velocities(roots.positions, 60.0))[:, None, [0, 2]]
-    assert float(loop.distance(places[:, None], way)) == 0
+    head = comparison.up_of_head(zombie)[:, None, 1:]
+    assert float(loop.distance(places[:, None], way, head)) == 0
 
 
 @pytest.mark.parametrize(("joint", "axis", "seen"), [

@@ -8,6 +8,7 @@ import numpy as np
 import plotly.graph_objects as go
 import pytest
 import torch
+from course import floors
 from course.checks import WRONG, differs, equals, same_as
 from course.sequence import picture
 from refusal import refusal
@@ -52,6 +53,17 @@ def test_claims_stand_only_if_they_are_true():
         course.learnt({"a": True, "b": False})
     with refusal("give the conditions"):
         course.claim("all is well")
+
+
+def test_a_claim_is_refused_for_its_floor_also_one_that_is_computed_in_its_cell():
+    cell = "# floor: {}\nbest = min(errors)\nif best:\n    course.claim('', {})"
+    names = {"errors": [1, 3], "best": 1}
+    for floor in ("errors = [2]", "best = 2"):
+        floors.refuse(cell.format(floor, "best < 2"), names)
+    for condition in ("best < 3", "FAST or best < 3"):
+        with pytest.raises(AssertionError, match="holds for its floor, too: errors"):
+            floors.refuse(cell.format("errors = [2]", condition), names)
+    assert names == {"errors": [1, 3], "best": 1}
 
 
 def test_differences_do_not_tell_the_answer():

@@ -18,7 +18,7 @@ from toolkit.motion.skeleton import FEET
 from toolkit.motion.trajectory import FPS
 from toolkit.networks import Predictor
 from toolkit.runtime.frame import leg_joints
-from toolkit.styles.comparison import Walk, turned
+from toolkit.styles.comparison import Walk, turned, up_of_head
 
 #: A round has so many steps of gradient descent. In a step, characters start from states of walks
 #: and go on for so many frames; the first of them still show the vector before, and do not count.
@@ -27,9 +27,10 @@ RATES = 2e-2, 5e-3  # Adam's first rates: at the higher one, each round breaks s
 MAX_GRADIENT = 1.0  # the norm to which gradients are clipped
 PRIOR = 0.05  # weight of the mean squared z-score of the vector among the bank's
 QUANTILES = 64  # of a distribution
-#: What a walk shows: a small difference, in metres and seconds, and the weight in the loss.
-SHOWN = {"places": (0.05, 1.0), "hands": (0.05, 0.3), "feet": (0.04, 0.3), "legs": (0.03, 0.3),
-         "speeds": (0.5, 0.5), "feet's speeds": (0.3, 0.3), "root's speed": (0.1, 0.1)}
+#: What a walk shows: a small difference (metres, seconds; the head's has no unit), the weight.
+SHOWN = {"places": (0.05, 1.0), "hands": (0.05, 1.0), "feet": (0.04, 0.3), "legs": (0.03, 0.3),
+         "head": (0.1, 0.3), "speeds": (0.5, 0.5), "feet's speeds": (0.3, 0.3),
+         "root's speed": (0.1, 0.1)}
 LAGS, TEMPO = range(4, 45, 4), (0.1, 0.3)  # frames; a small difference of `tempo`, the weight
 
 
@@ -46,7 +47,9 @@ class ClosedLoop:
         roots = root_frames(clip)
         way = roots.turn_to_local(contacts.velocities(roots.positions, clip.fps))[:, None, [0, 2]]
         places = roots.to_local(clip.global_positions[:, joints])[:, None]
-        self.wanted = distributions(model.layout, places, way), tempo(model.layout, places)
+        head = up_of_head(clip)[:, None, 1:]
+        self.head = max(joints.index(j) for j in clip.skeleton.neck if j in joints)
+        self.wanted = distributions(model.layout, places, way, head), tempo(model.layout, places)
         self.vector = vector.clone().requires_grad_()
         self.adam = torch.optim.Adam([self.vector], lr=rate)
         self.decay = torch.optim.lr_scheduler.CosineAnnealingLR(self.adam, rounds * STEPS)
@@ -64,9 +67,10 @@ class ClosedLoop:
             self.decay.step()
         return self.vector.detach().clone()
 
-    def walk_on(self, walks: list[Walk]) -> tuple[Tensor, Tensor]:
+    def walk_on(self, walks: list[Walk]) -> tuple[Tensor, Tensor, Tensor]:
         """B characters walk on from drawn states: places ``[F, B, J, 3]`` of their joints in the
-        root's frame, and velocities ``[F - 1, B, 2]`` of the root.
+        root's frame, velocities ``[F - 1, B, 2]`` of the root, and heights ``[F, B, 2]`` of the
+        head's axes up and forward, as in `up_of_head`.
         """
         begins, orders = [], []
         for i in range(STARTS):
@@ -84,19 +88,22 @@ class ClosedLoop:
             velocity, facing = (self.vector.new_tensor([getattr(one, name) for one in now])
                                 for name in ("velocity", "facing"))
             state = runtime.step(self.model, state, runtime.Command(velocity, facing))
-            walked.append((split_joints(state.joints)["position"], state.root))
-        places, roots = (torch.stack(part[SKIPPED:]) for part in zip(*walked, strict=True))
+            parts = split_joints(state.joints)
+            head = torch.stack([parts[axis][:, self.head, 1] for axis in ("up", "forward")], -1)
+            walked.append((parts["position"], state.root, head))
+        places, roots, head = (torch.stack(part[SKIPPED:]) for part in zip(*walked, strict=True))
         steps = (roots[1:, :, :2] - roots[:-1, :, :2]) * FPS
         angle = torch.atan2(roots[:-1, :, 2], roots[:-1, :, 3])
-        return places, turned(steps.flatten(0, 1), -angle.flatten()).view_as(steps)
+        return places, turned(steps.flatten(0, 1), -angle.flatten()).view_as(steps), head
 
-    def distance(self, places: Tensor, way: Tensor) -> Tensor:
+    def distance(self, places: Tensor, way: Tensor, head: Tensor) -> Tensor:
         """The weighted sum of squared Wasserstein distances, and of the difference in `tempo`.
 
         In one dimension, the 2-Wasserstein distance of two distributions is that of their
         quantiles (Villani 2003, section 2.2).
         """
-        (wanted, wanted_tempo), made = self.wanted, distributions(self.model.layout, places, way)
+        wanted, wanted_tempo = self.wanted
+        made = distributions(self.model.layout, places, way, head)
         terms = [weight * ((made[what] - wanted[what]) / small).square().mean()
                  for what, (small, weight) in SHOWN.items()]
         small, weight = TEMPO
@@ -104,7 +111,7 @@ class ClosedLoop:
         return sum(terms) + weight * unlike.square().mean()
 
 
-def distributions(layout: Layout, places: Tensor, way: Tensor) -> dict[str, Tensor]:
+def distributions(layout: Layout, places: Tensor, way: Tensor, head: Tensor) -> dict[str, Tensor]:
     """Quantiles ``[Q, D]`` of D coordinates, speeds or lengths of each kind of `SHOWN`."""
     legs = leg_joints(layout)
     feet = [j for j in legs if j not in legs[::3]]
@@ -119,6 +126,7 @@ def distributions(layout: Layout, places: Tensor, way: Tensor) -> dict[str, Tens
         "speeds": speeds.flatten(-2),
         "feet's speeds": speeds[..., feet, :].flatten(-2),
         "root's speed": way,
+        "head": head,
     }
     levels = torch.linspace(0, 1, QUANTILES).to(places)
     return {what: values.flatten(0, 1).quantile(levels, 0) for what, values in kinds.items()}
