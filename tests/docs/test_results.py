@@ -1,7 +1,5 @@
 """Tables of pages, drawn from stored results."""
 
-import math
-
 import pytest
 
 from experiments import tables
@@ -30,10 +28,3 @@ def test_a_table_is_drawn_and_drawn_again_the_same(folder):
     assert tables.fill(drawn, folder) == drawn
     some = tables.fill(page.replace("small", "small: model mse; without lpn | none"), folder)
     assert "| model | MSE |\n| --- | --- |\n| repeat | 0.1850 |\n<!-- end" in some
-
-
-def test_what_is_not_finite_is_stored_as_nothing(tmp_path):
-    Result("gaps", "a", "b", {"v": ["v", 2]},
-           [{"v": math.nan}, {"v": [1.0, math.inf]}]).save(tmp_path)
-    assert [row["v"] for row in Result.load("gaps", tmp_path).rows] == [None, [1.0, None]]
-    assert Result.load("gaps", tmp_path).markdown().splitlines()[2:] == ["|  |", "| 1.00 |"]
