@@ -55,7 +55,7 @@ def test_claims_stand_only_if_they_are_true():
         course.claim("all is well")
 
 
-def test_a_claim_is_refused_for_its_floor_also_one_that_is_computed_in_its_cell():
+def test_a_claim_is_refused_for_its_floor():
     cell = "# floor: {}\nbest = min(errors)\nif best:\n    course.claim('', {})"
     names = {"errors": [1, 3], "best": 1}
     for floor in ("errors = [2]", "best = 2"):

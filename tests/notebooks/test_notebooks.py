@@ -165,7 +165,7 @@ def test_the_run_answers_each_question_that_is_asked_before_it(notebook):
     assert re.fullmatch(r"(\?!+)+", turns)
 
 
-def test_each_claim_has_a_floor_that_a_small_run_tries(notebook):
+def test_each_claim_has_a_floor(notebook):
     claims = [text for text in code(notebook) if "course.claim(" in text]
     assert all(FLOOR.search(text) for text in claims)
 
