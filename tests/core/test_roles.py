@@ -65,7 +65,7 @@ def limbs(*chains: tuple[str, ...]) -> tuple[list[str], list[int]]:
     ([("Leg", "Shin", "Foot", "ToeBase")], "left_hip", "LeftLeg"),
 ])
 def test_a_joint_without_a_fitting_name_is_found_beside_its_neighbour(chains, role, joint):
-    assert roles.find(*limbs(*chains)).get(role, (None,))[0] == joint
+    assert roles.find(*limbs(*chains), [1] * 20).get(role, (None,))[0] == joint
 
 
 @pytest.mark.parametrize(("length", "toe"), [(0.01, "LeftFoot"), (0.1, "LeftTip")])
@@ -77,7 +77,7 @@ def test_a_bone_below_the_ankle_that_is_short_shows_no_toe(length, toe):
 
 def test_the_hips_are_called_so_even_if_the_legs_meet_below_them():
     legs = ("LeftThigh", "LeftShin", "LeftFoot", "RightThigh", "RightShin", "RightFoot")
-    found = roles.find(["Root", "Hips", "Extra", *legs], [-1, 0, 1, 2, 3, 4, 2, 6, 7])
+    found = roles.find(["Root", "Hips", "Extra", *legs], [-1, 0, 1, 2, 3, 4, 2, 6, 7], [1] * 9)
     assert found["hips"][0] == "Hips"
 
 

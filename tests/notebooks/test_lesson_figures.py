@@ -1,4 +1,4 @@
-"""Postures and medleys of the notebooks on styles."""
+"""Postures and medleys."""
 
 import torch
 from course import postures

@@ -1,6 +1,5 @@
 """Takes of a dataset: BVH files found in a folder, with style and gait read from the file names."""
 
-import difflib
 import os
 import re
 from collections.abc import Iterable, Iterator
@@ -11,6 +10,7 @@ from toolkit.datasets import home
 from toolkit.io import bvh, files
 from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip
+from toolkit.motion.tensors import similar
 
 Names = str | Iterable[str] | None
 Root = str | os.PathLike | None  # a dataset's folder; None: its folder on this machine
@@ -107,8 +107,8 @@ def check_names(names: Names, known: Iterable[str], what: str, dataset: str) -> 
                          f"{_listed(known)}")
     for name in names:
         if name not in known:
-            near = difflib.get_close_matches(str(name), known, n=3, cutoff=0.5)
-            guess = f"did you mean {' or '.join(near)}? " if near else ""
+            near = " or ".join(similar(name, known))
+            guess = f"did you mean {near}? " if near else ""
             raise ValueError(f"{dataset}: unknown {what} {name!r}; {guess}it has {_listed(known)}")
     return names
 

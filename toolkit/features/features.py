@@ -4,7 +4,6 @@ The features of each frame by itself (`OwnFeatures`) are computed once; x, z and
 them.
 """
 
-import difflib
 import math
 import warnings
 from collections import defaultdict
@@ -20,7 +19,7 @@ from toolkit.features.statistics import Normaliser, Rows
 from toolkit.io.progress import progress_bar
 from toolkit.motion import Clip, RootFrames, contacts, root_frames, rotations as R, trajectory
 from toolkit.motion.skeleton import FEET
-from toolkit.motion.tensors import few, shown, summary
+from toolkit.motion.tensors import few, shown, similar, summary
 
 KINDS = ("inputs", "phases", "outputs", "clips")  # each has a normaliser
 FRAME_KINDS = KINDS[:3]  # those with a row per frame
@@ -344,10 +343,7 @@ class UnknownStyleError(KeyError, ValueError):
 
 def check_style(name: str, names: Iterable[str]) -> None:
     """Raise an `UnknownStyleError` unless ``name`` is one of ``names``."""
-    names = list(names)
-    if name not in names:
-        by_lower = {n.lower(): n for n in names}
-        near = difflib.get_close_matches(str(name).lower(), by_lower, cutoff=0.5)
-        close = ", ".join(by_lower[n] for n in near)
-        there = f"close to it: {close}" if close else f"known: {few(names)}"
+    if name not in (names := list(names)):
+        near = ", ".join(similar(name, names))
+        there = f"close to it: {near}" if near else f"known: {few(names)}"
         raise UnknownStyleError(f"unknown style {shown(name)}; {there}")

@@ -20,7 +20,7 @@ Found = dict[str, tuple[str, str]]  # role: joint, and the rule that found it
 Places = dict[str, tuple[int, str]]  # part or role: index of its joint, and the rule
 
 
-def find(names: Sequence[str], parents: Sequence[int], lengths: Sequence[float] | None = None,
+def find(names: Sequence[str], parents: Sequence[int], lengths: Sequence[float],
          ends: Sequence[str] = ()) -> Found:
     """Roles with the rule that found each.
 
@@ -32,12 +32,11 @@ def find(names: Sequence[str], parents: Sequence[int], lengths: Sequence[float] 
     Parameters
     ----------
     names, parents : J joints and End Sites, parents first
-    lengths : J lengths of the bones to the parents, in any unit; by default all are equal
+    lengths : J lengths of the bones to the parents, in any unit
     ends : names of the End Sites
     """
     words, ending = read_all(names), set(ends)
-    tree = Tree(parents, lengths or [1.0] * len(names),
-                frozenset(j for j, name in enumerate(names) if name in ending))
+    tree = Tree(parents, lengths, frozenset(j for j, name in enumerate(names) if name in ending))
     found: Places = {}
     for side in SIDES:
         for limb in CHAINS:
@@ -50,7 +49,7 @@ def find(names: Sequence[str], parents: Sequence[int], lengths: Sequence[float] 
 class Tree:
     """A tree of J joints and End Sites, with the lengths of their bones ``[J]``."""
 
-    def __init__(self, parents: Sequence[int], lengths: Sequence[float],
+    def __init__(self, parents: Sequence[int], lengths: Sequence[float] = (),
                  ends: frozenset[int] = frozenset()):
         self.parents, self.lengths, self.ends = parents, lengths, ends
         self.children: dict[int, list[int]] = defaultdict(list)
@@ -218,7 +217,7 @@ def mirror_pairs(names: Sequence[str], parents: Sequence[int],
     else those with equal trees below them. Other joints are counterparts if their names differ only
     in the side.
     """
-    words, tree = read_all(names), Tree(parents, [])
+    words, tree = read_all(names), Tree(parents)
     pairs: dict[int, int] = {}
 
     def join(a: int, b: int) -> None:

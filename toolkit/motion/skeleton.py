@@ -171,7 +171,7 @@ class Skeleton:
     @cached_property
     def tree(self) -> Tree:
         """Children, ancestors and subtrees by index; without lengths."""
-        return Tree(self.parents, [])
+        return Tree(self.parents)
 
     @cached_property
     def trunk(self) -> list[int]:

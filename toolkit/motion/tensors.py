@@ -1,6 +1,7 @@
 """Conversion of numbers to tensors, array functions on tensors, short representations."""
 
 import dataclasses
+import difflib
 import math
 import textwrap
 from collections.abc import Callable, Iterable, Mapping
@@ -95,3 +96,9 @@ def few(names: Iterable[str]) -> str:
     names = list(names)
     more = f" and {len(names) - NAMES} more" if len(names) > NAMES else ""
     return ", ".join(names[:NAMES]) + more
+
+
+def similar(name: object, known: Iterable[str]) -> list[str]:
+    """At most three known names that are like a name, in any case."""
+    spelt = {one.lower(): one for one in known}
+    return [spelt[one] for one in difflib.get_close_matches(str(name).lower(), spelt, cutoff=0.5)]

@@ -65,7 +65,7 @@ def descending(parents: Sequence[int]) -> tuple[Tree, list[int]]:
 
     ValueError if nodes form a circle: these are below no top.
     """
-    tree = Tree(parents, ())
+    tree = Tree(parents)
     order = tree.below(-1)[1:]
     if len(order) != len(parents):
         raise ValueError("some nodes are their own ancestors")
