@@ -172,7 +172,7 @@ def summary(stored: dict[str, dict]) -> tuple[pd.DataFrame, dict, dict[str, floa
 def after_long_training(stored: dict[str, dict], values: dict) -> SimpleNamespace:
     """The three modulations of the LPN: errors, shares of recognised walks (FiLM's, the others',
     of vectors fitted to frames), shoulders (cm; between clips of the data), and whether FiLM had
-    the largest error with every seed of the shorter training.
+    the largest or the smallest error with every seed of the shorter training.
     """
     late = pd.DataFrame({kind: {key: values["long", kind][key][0] for key in (
         "shared", "recognised", "clavicle")} for kind in LPN}).T
@@ -183,7 +183,8 @@ def after_long_training(stored: dict[str, dict], values: dict) -> SimpleNamespac
         rest=late["recognised"].drop("lpn-film").min(), fitted=fitted["fitted to frames"],
         wide=100 * late["clavicle"],
         between=stored["long"]["numbers"]["clavicle: between clips of the data, cm"],
-        worst_early=all(min(early["lpn-film"]) > max(early[kind]) for kind in LPN[1:]))
+        worst_early=all(min(early["lpn-film"]) > max(early[kind]) for kind in LPN[1:]),
+        best_early=all(max(early["lpn-film"]) < min(early[kind]) for kind in LPN[1:]))
 
 
 def stuck(stored: dict[str, dict]) -> SimpleNamespace:
