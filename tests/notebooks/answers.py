@@ -195,12 +195,12 @@ RIGHT["11.2"] = [
     ),
 ]
 RIGHT["11.3"] = [lambda s, d: s[d].sum(1).div(len(s)).quantile(torch.tensor([.025, .975]))]
-RIGHT["12.1"] = [lambda r: int(r['posture, cm'] < 6 and 9 / 2 < r['range, cm'] < 18)]
+RIGHT["12.1"] = [lambda r: int(r['posture, cm'] < 6 and 33 / 2 < r['lift, cm'] < 33)]
 WRONG["12.1"] = [
     lambda r: r["posture, cm"] < 6 and r["range, cm"] > 0.31,
-    lambda r: r["posture, cm"] < 6 and (r["hips, cm"] > 1.5 or r["posture, cm"] < 2),
-    lambda r: True, lambda r: r['posture, cm'] < 5, lambda r: r['range, cm'] > 3,
-    lambda r: r['hips, cm'] in (0, 2.5), lambda r: r['range, cm'] in (9, 7),
+    lambda r: r["posture, cm"] < 6 and r["range, cm"] > 4.5,  # shifted passes
+    lambda r: True, lambda r: r['posture, cm'] < 5, lambda r: r['lift, cm'] > 17,
+    lambda r: r['lift, cm'] in (29, 25), lambda r: r['range, cm'] in (9, 7),
 ]
 RIGHT["12.2"] = [
     lambda s, f: int(all(a < b for a, b in zip(s, f)) and np.ptp(s.numpy()) < f.mean() - s.mean()),
