@@ -135,13 +135,14 @@ def test_end_sites_are_leaves_that_are_named_or_called_so():
     assert [skeleton.is_end(j) for j in range(4)] == [False, False, True, False]
     assert Skeleton(**skeleton.to_dict()).ends == ("bEnd",)
     assert tk.features.Layout(human()) != tk.features.Layout(dataclasses.replace(human(), ends=()))
-    leaves = "End Sites must be leaves of the tree; these are not: b, d"
-    with refusal(leaves):
+    with refusal("must be leaves of the tree; these are not: b, d"):
         Skeleton(*tree, ends=("b", "bEnd", "d"))
+    with refusal("not there: f$"):
+        Skeleton(*tree, {"hips": "f"})
 
 
 def test_names_that_are_roles_of_other_joints_change_nothing(walk_clip):
-    """Every joint with a role is called like the next role; a role must still be found."""
+    """Each joint with a role is called like the next role."""
     walk_clip = walk_clip.cut(0, 200)
     old = walk_clip.skeleton
     called = {old.roles[role]: other

@@ -71,6 +71,8 @@ class Skeleton:
             found = find(self.names, self.parents, lengths, self.ends)
             roles = {role: joint for role, (joint, _) in found.items()}
         set_(self, "roles", dict(roles))
+        if odd := sorted({*self.roles.values()} - {*self.names}):
+            raise ValueError(f"roles name joints that are not there: {', '.join(odd)}")
 
     def __len__(self) -> int:
         return len(self.names)
@@ -87,13 +89,13 @@ class Skeleton:
     def index(self, name: str) -> int:
         """Index of a joint by its name or, where no joint has this name, by its role."""
         joint = name if name in self.names else self.roles.get(name)
-        if joint not in self.names:
+        if joint is None:
             raise ValueError(f"unknown joint {name!r}; the skeleton has {', '.join(self.names)}")
         return self.names.index(joint)
 
     def role(self, role: str) -> int:
         """Index of the joint with a role: SMPL's joint left_wrist has the role left_hand."""
-        if self.roles.get(role) not in self.names:
+        if role not in self.roles:
             raise ValueError(f"no joint has the role {role!r}; "
                              f"the skeleton has {', '.join(self.names)}")
         return self.names.index(self.roles[role])
@@ -126,7 +128,7 @@ class Skeleton:
         All but End Sites, and the End Sites of hands or with a role.
         """
         kept = {self.end_site(f"{side}_hand") for side in SIDES}
-        kept |= {self.names.index(name) for name in self.roles.values() if name in self.names}
+        kept |= {self.names.index(name) for name in self.roles.values()}
         return tuple(j for j in range(len(self)) if not self.is_end(j) or j in kept)
 
     @cached_property
